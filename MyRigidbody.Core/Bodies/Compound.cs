@@ -1,0 +1,66 @@
+using System.Collections.Generic;
+
+namespace RigidBodyDynamics
+{
+    /// <summary>A body put together from others: masses add, and moments add after Steiner's parallel-axis rule.</summary>
+    public sealed class Compound
+    {
+        private readonly List<Part> _parts = new List<Part>();
+
+        /// <summary>Adds a part; its origin stands at a place of the compound's frame, turned by an orientation.</summary>
+        /// <returns>This compound, so that parts can be listed.</returns>
+        public Compound With(MassProperties part, Vector3d position, Quaterniond orientation)
+        {
+            Guard.NotNull(part, nameof(part));
+            Guard.Finite(position, nameof(position));
+            Quaterniond turn = Guard.Turn(orientation, nameof(orientation)).Normalized;
+            Add(part.Mass, position + turn.Rotate(part.CenterOfMass), part.Inertia.RotatedBy(Matrix3.Of(turn)));
+            return this;
+        }
+
+        /// <summary>Adds a part that is not turned.</summary>
+        public Compound With(MassProperties part, Vector3d position) => With(part, position, Quaterniond.Identity);
+
+        /// <summary>The whole, about its common centre of mass: I = Σ (I_part + m (d·d 1 − d dᵀ)).</summary>
+        public MassProperties ToMassProperties()
+        {
+            double mass = 0;
+            Vector3d moment = Vector3d.Zero;
+            foreach (Part part in _parts)
+            {
+                mass += part.Mass;
+                moment += part.Mass * part.Center;
+            }
+
+            Guard.Positive(mass, "mass of all parts");
+            Vector3d center = moment / mass;
+            SymmetricMatrix3 inertia = default(SymmetricMatrix3);
+            foreach (Part part in _parts)
+            {
+                Vector3d d = part.Center - center;
+                inertia += part.Inertia + part.Mass * About(d);
+            }
+
+            return MassProperties.FromTensor(mass, inertia, center);
+        }
+
+        internal void Add(double mass, Vector3d center, SymmetricMatrix3 inertia) =>
+            _parts.Add(new Part { Mass = mass, Center = center, Inertia = inertia });
+
+        // d·d 1 − d dᵀ, with d·d − x² as y² + z²: a long thin body would lose the moment about its axis in the difference
+        private static SymmetricMatrix3 About(Vector3d d)
+        {
+            SymmetricMatrix3 outer = SymmetricMatrix3.Outer(d);
+            Vector3d square = outer.Diagonal;
+            return new SymmetricMatrix3(
+                new Vector3d(square.Y + square.Z, square.X + square.Z, square.X + square.Y), -outer.OffDiagonal);
+        }
+
+        private struct Part
+        {
+            public double Mass;
+            public Vector3d Center;
+            public SymmetricMatrix3 Inertia;
+        }
+    }
+}

@@ -1,0 +1,93 @@
+using System;
+
+namespace RigidBodyDynamics
+{
+    /// <summary>How a body resists being pushed and turned. Immutable; bodies may share one.</summary>
+    public sealed class MassProperties
+    {
+        // three moments of any real body obey I1 + I2 >= I3; sums over points break it by roundings only
+        private const double TriangleTolerance = 1e-9;
+
+        private MassProperties(double mass, Vector3d moments, Quaterniond frame, SymmetricMatrix3 inertia, Vector3d center)
+        {
+            Mass = Guard.Positive(mass, nameof(mass));
+            Guard.Positive(1 / mass, "1 / mass");
+            PrincipalMoments = Possible(moments);
+            PrincipalFrame = frame;
+            Inertia = inertia;
+            CenterOfMass = Guard.Finite(center, "centerOfMass");
+            InverseMass = 1 / mass;
+            InversePrincipalMoments = new Vector3d(1 / moments.X, 1 / moments.Y, 1 / moments.Z);
+        }
+
+        /// <summary>Mass, kg.</summary>
+        public double Mass { get; }
+
+        /// <summary>1 / mass, 1/kg.</summary>
+        public double InverseMass { get; }
+
+        /// <summary>Moments about the three principal axes through the centre of mass, kg m².</summary>
+        public Vector3d PrincipalMoments { get; }
+
+        /// <summary>1 / principal moment, component by component.</summary>
+        public Vector3d InversePrincipalMoments { get; }
+
+        /// <summary>
+        /// Takes principal axes to body axes. Kept as it was given, so that an integrator in single precision can
+        /// scale it to length 1 in its own arithmetic; all others take <c>PrincipalFrame.Normalized</c>.
+        /// </summary>
+        public Quaterniond PrincipalFrame { get; }
+
+        /// <summary>The inertia tensor in body axes, about the centre of mass, kg m²; the lab's I_ref.</summary>
+        public SymmetricMatrix3 Inertia { get; }
+
+        /// <summary>Centre of mass in the body frame, m.</summary>
+        public Vector3d CenterOfMass { get; }
+
+        /// <summary>All three moments equal: a turn about any axis goes on unchanged.</summary>
+        public bool IsIsotropic => PrincipalMoments.X == PrincipalMoments.Y && PrincipalMoments.Y == PrincipalMoments.Z;
+
+        /// <summary>A body with known principal moments.</summary>
+        /// <param name="mass">kg, above zero.</param>
+        /// <param name="moments">kg m², each above zero and none larger than the sum of the others.</param>
+        /// <param name="frame">Takes principal axes to body axes; scaled to length 1 where it is used.</param>
+        /// <param name="centerOfMass">In the body frame, m.</param>
+        public static MassProperties FromPrincipal(double mass, Vector3d moments, Quaterniond frame, Vector3d centerOfMass)
+        {
+            Guard.Turn(frame, "frame");
+            SymmetricMatrix3 diagonal = new SymmetricMatrix3(moments, Vector3d.Zero);
+            SymmetricMatrix3 inertia = frame == Quaterniond.Identity
+                ? diagonal
+                : diagonal.RotatedBy(Matrix3.Of(frame.Normalized));
+            return new MassProperties(mass, moments, frame, inertia, centerOfMass);
+        }
+
+        /// <summary>A body with known principal moments along its own axes, about its origin.</summary>
+        public static MassProperties FromPrincipal(double mass, Vector3d moments) =>
+            FromPrincipal(mass, moments, Quaterniond.Identity, Vector3d.Zero);
+
+        /// <summary>A body with a known tensor about its centre of mass, in body axes. Diagonalised here, once.</summary>
+        public static MassProperties FromTensor(double mass, SymmetricMatrix3 inertia, Vector3d centerOfMass)
+        {
+            Guard.Finite(inertia.Diagonal, "inertia");
+            Guard.Finite(inertia.OffDiagonal, "inertia");
+            Vector3d moments = PrincipalAxes.Of(inertia, out Quaterniond frame);
+            return new MassProperties(mass, moments, frame, inertia, centerOfMass);
+        }
+
+        /// <summary>The same body with its centre of mass elsewhere in the body frame.</summary>
+        public MassProperties WithCenterOfMass(Vector3d centerOfMass) =>
+            new MassProperties(Mass, PrincipalMoments, PrincipalFrame, Inertia, centerOfMass);
+
+        private static Vector3d Possible(Vector3d moments)
+        {
+            Guard.Positive(moments, "principal");
+            Guard.Finite(new Vector3d(1 / moments.X, 1 / moments.Y, 1 / moments.Z), "1 / principal");
+            double sum = moments.X + moments.Y + moments.Z;
+            double largest = Math.Max(moments.X, Math.Max(moments.Y, moments.Z));
+            return largest - (sum - largest) <= TriangleTolerance * largest
+                ? moments
+                : throw Guard.Refused("principal", moments, "no moment can exceed the sum of the other two");
+        }
+    }
+}

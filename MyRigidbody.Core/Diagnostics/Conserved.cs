@@ -1,0 +1,27 @@
+using System;
+
+namespace RigidBodyDynamics
+{
+    /// <summary>The quantities by which a motion is judged: energy, momentum, and how far two orientations are apart.</summary>
+    public static class Conserved
+    {
+        /// <summary>½ m v² + ½ ω·L, J.</summary>
+        public static double KineticEnergy(in BodyState state, MassProperties mass) =>
+            0.5 * mass.Mass * state.Velocity.LengthSquared
+            + 0.5 * Vector3d.Dot(state.AngularVelocity, AngularMomentum(state, mass));
+
+        /// <summary>L = R I_ref Rᵀ ω, kg m²/s, in world axes, about the centre of mass.</summary>
+        public static Vector3d AngularMomentum(in BodyState state, MassProperties mass) =>
+            state.Orientation.Rotate(mass.Inertia * state.Orientation.RotateInverse(state.AngularVelocity));
+
+        /// <summary>p = m v, kg m/s.</summary>
+        public static Vector3d Momentum(in BodyState state, MassProperties mass) => mass.Mass * state.Velocity;
+
+        /// <summary>The angle of the turn that takes one orientation to the other, rad, 0 to π. Exact for small angles too.</summary>
+        public static double AngleBetween(Quaterniond a, Quaterniond b)
+        {
+            Quaterniond d = a.Conjugate * b;
+            return 2 * Math.Atan2(d.Vector.Length, Math.Abs(d.W));
+        }
+    }
+}

@@ -1,0 +1,69 @@
+using System;
+using System.Globalization;
+
+namespace RigidBodyDynamics
+{
+    /// <summary>Refuses impossible values by name and value, before anything has been changed.</summary>
+    public static class Guard
+    {
+        /// <summary>True for every number but NaN and the infinities.</summary>
+        public static bool IsFinite(double value) => value - value == 0;
+
+        /// <summary>Returns the value if it is finite.</summary>
+        public static double Finite(double value, string name) =>
+            IsFinite(value) ? value : throw Refused(name, value, "must be a finite number");
+
+        /// <summary>Returns the vector if it is finite.</summary>
+        public static Vector3d Finite(Vector3d value, string name) =>
+            value.IsFinite ? value : throw Refused(name, value, "must have finite components");
+
+        /// <summary>Returns the value if it is finite and above zero.</summary>
+        public static double Positive(double value, string name) =>
+            value > 0 && IsFinite(value) ? value : throw Refused(name, value, "must be finite and above zero");
+
+        /// <summary>Returns the vector if all its components are finite and above zero.</summary>
+        public static Vector3d Positive(Vector3d value, string name) =>
+            value.IsFinite && value.X > 0 && value.Y > 0 && value.Z > 0
+                ? value
+                : throw Refused(name, value, "must have finite components above zero");
+
+        /// <summary>Returns the value if it is finite and not below zero.</summary>
+        public static double NotNegative(double value, string name) =>
+            value >= 0 && IsFinite(value) ? value : throw Refused(name, value, "must be finite and not below zero");
+
+        /// <summary>Returns the quaternion if it can be scaled to length 1.</summary>
+        public static Quaterniond Turn(Quaterniond value, string name)
+        {
+            double square = value.LengthSquared;
+            return square > 1e-200 && square < 1e200
+                ? value
+                : throw Refused(name, value, "must be a quaternion [w, x, y, z] of length 1 or one that can be scaled to it");
+        }
+
+        /// <summary>Returns the reference if it is not null.</summary>
+        public static T NotNull<T>(T value, string name) where T : class => value ?? throw new ArgumentNullException(name);
+
+        /// <summary>The exception that names the argument, the rule and the value.</summary>
+        public static ArgumentOutOfRangeException Refused(string name, object value, string rule)
+        {
+            // "R" is for numbers with a point: an enum, and on older runtimes a whole number, refuses it
+            string found = value is double number
+                ? number.ToString("R", CultureInfo.InvariantCulture)
+                : Convert.ToString(value, CultureInfo.InvariantCulture);
+            return new RefusedException(name, value, rule + ", found " + found);
+        }
+
+        /// <summary>One line, whatever the runtime would add to it.</summary>
+        private sealed class RefusedException : ArgumentOutOfRangeException
+        {
+            private readonly string _line;
+
+            public RefusedException(string name, object value, string rule) : base(name, value, rule)
+            {
+                _line = (name + ": " + rule).Replace('\r', ' ').Replace('\n', ' ');
+            }
+
+            public override string Message => _line;
+        }
+    }
+}

@@ -1,0 +1,22 @@
+namespace RigidBodyDynamics
+{
+    /// <summary>
+    /// The lab's five steps with formula 3.3 as it is printed: x moves on with the velocity from before the step.
+    /// Everything else is <see cref="LabEuler"/>.
+    /// </summary>
+    public struct ExplicitEuler : IIntegrator
+    {
+        private LabEuler _lab;
+
+        public BodyState State => _lab.State;
+
+        public bool IsAsleep => false;
+
+        public void Start(BodyDescription body) => _lab.Start(body);
+
+        public void Prepare(double duration, in Coasting coasting) => _lab.Prepare(duration, coasting);
+
+        public void Step<TPush>(in Instant now, ref TPush push) where TPush : struct, IPush =>
+            _lab.Step(now, ref push, xFromOldVelocity: true);
+    }
+}

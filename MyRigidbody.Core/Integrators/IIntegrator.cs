@@ -1,0 +1,30 @@
+namespace RigidBodyDynamics
+{
+    /// <summary>
+    /// A rule that takes one body from one step to the next. A struct that holds all it keeps of the body; to add a
+    /// rule, write one such struct and give it one line in <see cref="Catalogue"/>.
+    /// </summary>
+    /// <remarks>
+    /// The state inside is the rule's own business (single precision, body axes, cached constants); it goes in by
+    /// <see cref="Start"/> and comes out by <see cref="State"/>. A copy of the struct is a saved body.
+    /// </remarks>
+    public interface IIntegrator
+    {
+        /// <summary>The body as it is now.</summary>
+        BodyState State { get; }
+
+        /// <summary>True while the rule has put the body to sleep.</summary>
+        bool IsAsleep { get; }
+
+        /// <summary>Takes over a body at its start.</summary>
+        void Start(BodyDescription body);
+
+        /// <summary>Makes ready for steps of one length with one sum of coasting effects: all that can be computed once.</summary>
+        void Prepare(double duration, in Coasting coasting);
+
+        /// <summary>One step of the length prepared for.</summary>
+        /// <param name="now">Its start.</param>
+        /// <param name="push">The sum of what pushes.</param>
+        void Step<TPush>(in Instant now, ref TPush push) where TPush : struct, IPush;
+    }
+}

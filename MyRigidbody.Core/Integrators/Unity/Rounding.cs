@@ -1,0 +1,30 @@
+using System.Runtime.CompilerServices;
+
+namespace RigidBodyDynamics
+{
+    /// <summary>To which precision every single operation is rounded.</summary>
+    public interface IRounding
+    {
+        /// <summary>The nearest number of that precision.</summary>
+        double Round(double value);
+    }
+
+    /// <summary>Single precision, as Unity's physics computes.</summary>
+    /// <remarks>
+    /// A sum, product, quotient or root of two floats, taken in double and then rounded to float, is the float result
+    /// to the last bit, because 53 ≥ 2·24 + 2 (Figueroa, When is double rounding innocuous?, 1995). So this also
+    /// holds on runtimes that compute float in double, as Unity's own does.
+    /// </remarks>
+    public struct ToSingle : IRounding
+    {
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        public double Round(double value) => (float)value;
+    }
+
+    /// <summary>Double precision: nothing is rounded that the processor has not rounded already.</summary>
+    public struct ToDouble : IRounding
+    {
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        public double Round(double value) => value;
+    }
+}

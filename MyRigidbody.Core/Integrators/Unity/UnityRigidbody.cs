@@ -1,0 +1,166 @@
+namespace RigidBodyDynamics
+{
+    /// <summary>
+    /// DefaultRigidbody: what Unity's Rigidbody does with a body that touches nothing. PhysX's rule, to the last bit
+    /// in single precision; no gyroscopic term unless asked for, so a free body keeps ω, whatever its shape.
+    /// </summary>
+    public struct UnityRigidbody<R> : IIntegrator where R : struct, IRounding
+    {
+        private RealVector<R> _c, _v, _w, _centerOfMass, _inverseMoments, _moments, _gravity;
+        private RealQuaternion<R> _q, _frame;
+        private Real<R> _inverseMass, _h, _keepV, _keepW, _maxW2, _decayV, _decayW;
+        private WakeCounter<R> _wake;
+        private MassProperties _mass;
+        private UnitySettings _unity;
+        private bool _canMove, _canTurn, _decays;
+
+        public BodyState State
+        {
+            get
+            {
+                RealVector<R> origin = _c + _q.Rotate(_frame.RotateInverse(-_centerOfMass));
+                Quaterniond orientation = (_q * _frame.Conjugate).ToDouble();
+                return new BodyState(origin.ToDouble(), orientation, _v.ToDouble(), _w.ToDouble());
+            }
+        }
+
+        public bool IsAsleep { get; private set; }
+
+        /// <summary>Seconds until a body that stays at rest falls asleep.</summary>
+        public float WakeCounter => _wake.Left;
+
+        public void Start(BodyDescription body)
+        {
+            _mass = body.Mass;
+            _unity = body.Unity.Copy();
+            _canMove = body.CanMove;
+            _canTurn = body.CanTurn;
+            _inverseMass = 1.0 / (Real<R>)_mass.Mass;
+            _inverseMoments = RealVector<R>.From(_mass.PrincipalMoments).Inverse();
+            _moments = _inverseMoments.Inverse();
+            _centerOfMass = RealVector<R>.From(_mass.CenterOfMass);
+            _frame = RealQuaternion<R>.From(_mass.PrincipalFrame).Normalized;
+            RealQuaternion<R> orientation = RealQuaternion<R>.From(body.Start.Orientation).Normalized;
+            _c = RealVector<R>.From(body.Start.Position) + orientation.Rotate(_centerOfMass);
+            _q = orientation * _frame;
+            _v = RealVector<R>.From(body.Start.Velocity);
+            _w = RealVector<R>.From(body.Start.AngularVelocity);
+            _wake = new WakeCounter<R>(_unity.WakeCounter, _unity.SleepThreshold);
+            IsAsleep = false;
+        }
+
+        public void Prepare(double duration, in Coasting coasting)
+        {
+            _h = duration;
+            _gravity = RealVector<R>.From(coasting.Acceleration);
+            _keepV = (1.0 - (Real<R>)_unity.Drag * _h).AtLeast(0.0);
+            _keepW = (1.0 - (Real<R>)_unity.AngularDrag * _h).AtLeast(0.0);
+            Real<R> maxW = _unity.MaxAngularVelocity;
+            _maxW2 = maxW * maxW;
+            _decayV = coasting.LinearDecay(duration);
+            _decayW = coasting.AngularDecay(duration);
+            _decays = (double)_decayV != 1 || (double)_decayW != 1;
+        }
+
+        public void Step<TPush>(in Instant now, ref TPush push) where TPush : struct, IPush
+        {
+            // 1. accelerations; a force or torque that is not zero wakes the body
+            Wrench load = default(Wrench);
+            BodyState seen = State;
+            push.At(now, seen, _mass, ref load);
+            RealVector<R> force = RealVector<R>.From(load.Force);
+            RealVector<R> torque = RealVector<R>.From(load.TorqueInWorld(seen.Orientation));
+            RealVector<R> a = force * _inverseMass;
+            RealVector<R> alpha = torque.IsZero ? torque : _q.TransformDiagonal(_inverseMoments, torque);
+            if (!(force.IsZero && torque.IsZero))
+            {
+                _wake.Wake();
+            }
+
+            // 2. asleep: the pose stays, gravity or not
+            IsAsleep = _wake.Sleeps();
+            if (IsAsleep)
+            {
+                _v = _w = default(RealVector<R>);
+                return;
+            }
+
+            // 3. to 8. velocities and position
+            if (_canMove)
+            {
+                _v = (_v + a * _h + _gravity * _h) * _keepV;
+                _c = _c + _v * _h;
+            }
+
+            // 3. to 9. angular velocity and orientation
+            if (_canTurn)
+            {
+                _w = (_w + alpha * _h) * _keepW;
+                Limit();
+                if (_unity.GyroscopicForces)
+                {
+                    Gyroscopic();
+                }
+
+                Turn();
+            }
+
+            if (_decays)
+            {
+                _v = _v * _decayV;
+                _w = _w * _decayW;
+            }
+
+            // 10., 11. the clock that lets it sleep
+            _wake.Run((double)_h, _v, _q.RotateInverse(_w), _inverseMass, _moments);
+        }
+
+        /// <summary>6. The length of ω is limited, not each component.</summary>
+        private void Limit()
+        {
+            Real<R> w2 = _w.LengthSquared;
+            if (w2 > _maxW2)
+            {
+                _w = _w * (_maxW2 / w2).Sqrt();
+            }
+        }
+
+        /// <summary>7. One explicit step of L' = −l × L in principal axes, scaled back to the length of L.</summary>
+        private void Gyroscopic()
+        {
+            RealVector<R> l = _q.RotateInverse(_w);
+            RealVector<R> momentum = _moments.Scale(l);
+            RealVector<R> next = momentum - l.Cross(momentum) * _h;
+            Real<R> length = next.LengthSquared.Sqrt();
+            if (length.IsZero)
+            {
+                return;
+            }
+
+            next = next * (momentum.LengthSquared.Sqrt() / length);
+            _w = _w + _q.Rotate(_inverseMoments.Scale(next) - l);
+        }
+
+        /// <summary>9. The exact turn about ω, which stays where it is in the world.</summary>
+        private void Turn()
+        {
+            if (_unity.FirstOrderOrientation)
+            {
+                RealVector<R> half = _w * (0.5 * _h);
+                _q = (_q + new RealQuaternion<R>(half.X, half.Y, half.Z, 0.0) * _q).Normalized;
+                return;
+            }
+
+            Real<R> w2 = _w.LengthSquared;
+            if (w2.IsZero)
+            {
+                return;
+            }
+
+            Real<R> s = w2.Sqrt();
+            (_h * s * 0.5).SinCos(out Real<R> sin, out Real<R> cos);
+            RealVector<R> axis = _w * (sin / s);
+            _q = (new RealQuaternion<R>(axis.X, axis.Y, axis.Z, 0.0) * _q + _q.Times(cos)).Normalized;
+        }
+    }
+}

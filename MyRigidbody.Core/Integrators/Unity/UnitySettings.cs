@@ -1,0 +1,59 @@
+namespace RigidBodyDynamics
+{
+    /// <summary>What a script can set on Unity's Rigidbody, with Unity's defaults. For <c>UnityRigidbody</c> only.</summary>
+    public sealed class UnitySettings
+    {
+        private double _drag;
+        private double _angularDrag = 0.05;
+        private double _maxAngularVelocity = 7;
+        private double _sleepThreshold = 0.005;
+        private double _wakeCounter = 0.4;
+
+        /// <summary>Rigidbody.drag, 1/s: v times max(0, 1 − drag Δt) a step.</summary>
+        public double Drag
+        {
+            get => _drag;
+            set => _drag = Guard.NotNegative(value, "drag");
+        }
+
+        /// <summary>Rigidbody.angularDrag, 1/s: ω times max(0, 1 − angularDrag Δt) a step.</summary>
+        public double AngularDrag
+        {
+            get => _angularDrag;
+            set => _angularDrag = Guard.NotNegative(value, "angularDrag");
+        }
+
+        /// <summary>Rigidbody.maxAngularVelocity, rad/s; infinite for no limit.</summary>
+        public double MaxAngularVelocity
+        {
+            get => _maxAngularVelocity;
+            set => _maxAngularVelocity = value >= 0 ? value : throw Guard.Refused("maxAngularVelocity", value, "must not be below zero");
+        }
+
+        /// <summary>Rigidbody.sleepThreshold, J/kg; zero for a body that never sleeps.</summary>
+        public double SleepThreshold
+        {
+            get => _sleepThreshold;
+            set => _sleepThreshold = Guard.NotNegative(value, "sleepThreshold");
+        }
+
+        /// <summary>How long a body at rest stays awake at the start, s.</summary>
+        public double WakeCounter
+        {
+            get => _wakeCounter;
+            set => _wakeCounter = Guard.NotNegative(value, "wakeCounter");
+        }
+
+        /// <summary>PhysX 5's gyroscopic forces. Unity 2019.4 has none.</summary>
+        public bool GyroscopicForces { get; set; }
+
+        /// <summary>Compute in double instead of in float as Unity does.</summary>
+        public bool InDouble { get; set; }
+
+        /// <summary>The lab's q + [0, ½ Δt ω] q in place of the exact turn: only to show what that rule does.</summary>
+        public bool FirstOrderOrientation { get; set; }
+
+        /// <summary>The same settings, to be changed without changing these.</summary>
+        public UnitySettings Copy() => (UnitySettings)MemberwiseClone();
+    }
+}

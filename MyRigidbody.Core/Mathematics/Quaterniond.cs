@@ -1,0 +1,136 @@
+using System;
+using System.Globalization;
+using System.Runtime.CompilerServices;
+
+namespace RigidBodyDynamics
+{
+    /// <summary>
+    /// A quaternion, scalar part first. Of length 1 it is a turn and takes vectors of the body to the world:
+    /// v_world = q v_body q*. q and −q are the same turn.
+    /// </summary>
+    public struct Quaterniond : IEquatable<Quaterniond>
+    {
+        /// <summary>Scalar part, cos of half the angle.</summary>
+        public double W;
+
+        /// <summary>First component of the vector part, sin of half the angle times the axis.</summary>
+        public double X;
+
+        /// <summary>Second component of the vector part.</summary>
+        public double Y;
+
+        /// <summary>Third component of the vector part.</summary>
+        public double Z;
+
+        /// <summary>The quaternion w + x i + y j + z k.</summary>
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        public Quaterniond(double w, double x, double y, double z)
+        {
+            W = w;
+            X = x;
+            Y = y;
+            Z = z;
+        }
+
+        /// <summary>The quaternion with a scalar part and a vector part.</summary>
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        public Quaterniond(double w, Vector3d v)
+        {
+            W = w;
+            X = v.X;
+            Y = v.Y;
+            Z = v.Z;
+        }
+
+        /// <summary>No turn at all.</summary>
+        public static Quaterniond Identity => new Quaterniond(1, 0, 0, 0);
+
+        /// <summary>The turn by an angle (rad) about an axis of any length but zero.</summary>
+        public static Quaterniond FromAxisAngle(Vector3d axis, double angle)
+        {
+            double length = axis.Length;
+            Guard.Positive(length, nameof(axis) + " length");
+            Elementary.SinCos(0.5 * angle, out double sin, out double cos);
+            return new Quaterniond(cos, sin / length * axis);
+        }
+
+        /// <summary>The vector part (x, y, z).</summary>
+        public Vector3d Vector => new Vector3d(X, Y, Z);
+
+        /// <summary>True if no component is infinite or NaN.</summary>
+        public bool IsFinite => Guard.IsFinite(W) && Vector.IsFinite;
+
+        /// <summary>w² + x² + y² + z².</summary>
+        public double LengthSquared => W * W + X * X + Y * Y + Z * Z;
+
+        /// <summary>The length.</summary>
+        public double Length => Math.Sqrt(LengthSquared);
+
+        /// <summary>q*: the opposite turn, if the length is 1.</summary>
+        public Quaterniond Conjugate => new Quaterniond(W, -X, -Y, -Z);
+
+        /// <summary>The quaternion of length 1 in the same direction.</summary>
+        public Quaterniond Normalized
+        {
+            [MethodImpl(MethodImplOptions.AggressiveInlining)]
+            get
+            {
+                double s = 1 / Math.Sqrt(LengthSquared);
+                return new Quaterniond(s * W, s * X, s * Y, s * Z);
+            }
+        }
+
+        /// <summary>Sum, component by component.</summary>
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        public static Quaterniond operator +(Quaterniond a, Quaterniond b) =>
+            new Quaterniond(a.W + b.W, a.X + b.X, a.Y + b.Y, a.Z + b.Z);
+
+        /// <summary>Hamilton's product: the turn b, then the turn a.</summary>
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        public static Quaterniond operator *(Quaterniond a, Quaterniond b) => new Quaterniond(
+            a.W * b.W - a.X * b.X - a.Y * b.Y - a.Z * b.Z,
+            a.W * b.X + a.X * b.W + a.Y * b.Z - a.Z * b.Y,
+            a.W * b.Y + a.Y * b.W + a.Z * b.X - a.X * b.Z,
+            a.W * b.Z + a.Z * b.W + a.X * b.Y - a.Y * b.X);
+
+        /// <summary>Every component times s.</summary>
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        public static Quaterniond operator *(double s, Quaterniond a) =>
+            new Quaterniond(s * a.W, s * a.X, s * a.Y, s * a.Z);
+
+        /// <summary>Takes a vector of the body to the world. The length of q must be 1.</summary>
+        /// <remarks>v + 2w (u × v) + 2u × (u × v), with u the vector part: 15 products and no square.</remarks>
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        public Vector3d Rotate(Vector3d v)
+        {
+            Vector3d t = 2 * Vector3d.Cross(Vector, v);
+            return v + W * t + Vector3d.Cross(Vector, t);
+        }
+
+        /// <summary>Takes a vector of the world to the body. The length of q must be 1.</summary>
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        public Vector3d RotateInverse(Vector3d v)
+        {
+            Vector3d t = 2 * Vector3d.Cross(Vector, v);
+            return v - W * t + Vector3d.Cross(Vector, t);
+        }
+
+        /// <summary>True if all components are equal; no tolerance, and q differs from −q.</summary>
+        public static bool operator ==(Quaterniond a, Quaterniond b) =>
+            a.W == b.W && a.X == b.X && a.Y == b.Y && a.Z == b.Z;
+
+        /// <summary>True if any component differs; no tolerance.</summary>
+        public static bool operator !=(Quaterniond a, Quaterniond b) => !(a == b);
+
+        public bool Equals(Quaterniond other) =>
+            W.Equals(other.W) && X.Equals(other.X) && Y.Equals(other.Y) && Z.Equals(other.Z);
+
+        public override bool Equals(object obj) => obj is Quaterniond other && Equals(other);
+
+        public override int GetHashCode() => W.GetHashCode() * 31 + Vector.GetHashCode();
+
+        /// <summary>The components [w, x, y, z], shortest digits that read back to the same bits.</summary>
+        public override string ToString() =>
+            string.Format(CultureInfo.InvariantCulture, "[{0:R}, {1:R}, {2:R}, {3:R}]", W, X, Y, Z);
+    }
+}

@@ -1,0 +1,81 @@
+using System.Globalization;
+using System.Runtime.CompilerServices;
+
+namespace RigidBodyDynamics
+{
+    /// <summary>A symmetric 3×3 matrix: an inertia tensor, kg m², or its inverse.</summary>
+    public struct SymmetricMatrix3
+    {
+        /// <summary>The diagonal (xx, yy, zz).</summary>
+        public Vector3d Diagonal;
+
+        /// <summary>The three numbers beside the diagonal: yz, xz, xy.</summary>
+        public Vector3d OffDiagonal;
+
+        /// <summary>The matrix with the diagonal (xx, yy, zz) and yz, xz, xy beside it.</summary>
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        public SymmetricMatrix3(Vector3d diagonal, Vector3d offDiagonal)
+        {
+            Diagonal = diagonal;
+            OffDiagonal = offDiagonal;
+        }
+
+        /// <summary>The matrix 1.</summary>
+        public static SymmetricMatrix3 Identity => new SymmetricMatrix3(new Vector3d(1, 1, 1), Vector3d.Zero);
+
+        /// <summary>r rᵀ, the product of every component with every other.</summary>
+        public static SymmetricMatrix3 Outer(Vector3d r) =>
+            new SymmetricMatrix3(Vector3d.Scale(r, r), new Vector3d(r.Y * r.Z, r.X * r.Z, r.X * r.Y));
+
+        /// <summary>Sum.</summary>
+        public static SymmetricMatrix3 operator +(SymmetricMatrix3 a, SymmetricMatrix3 b) =>
+            new SymmetricMatrix3(a.Diagonal + b.Diagonal, a.OffDiagonal + b.OffDiagonal);
+
+        /// <summary>Difference.</summary>
+        public static SymmetricMatrix3 operator -(SymmetricMatrix3 a, SymmetricMatrix3 b) =>
+            new SymmetricMatrix3(a.Diagonal - b.Diagonal, a.OffDiagonal - b.OffDiagonal);
+
+        /// <summary>Every component times s.</summary>
+        public static SymmetricMatrix3 operator *(double s, SymmetricMatrix3 a) =>
+            new SymmetricMatrix3(s * a.Diagonal, s * a.OffDiagonal);
+
+        /// <summary>Matrix times vector.</summary>
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        public static Vector3d operator *(SymmetricMatrix3 a, Vector3d v) => new Vector3d(
+            a.Diagonal.X * v.X + a.OffDiagonal.Z * v.Y + a.OffDiagonal.Y * v.Z,
+            a.OffDiagonal.Z * v.X + a.Diagonal.Y * v.Y + a.OffDiagonal.X * v.Z,
+            a.OffDiagonal.Y * v.X + a.OffDiagonal.X * v.Y + a.Diagonal.Z * v.Z);
+
+        /// <summary>R A Rᵀ: the same tensor in the axes to which R leads.</summary>
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        public SymmetricMatrix3 RotatedBy(Matrix3 r)
+        {
+            Vector3d a1 = this * r.Row1, a2 = this * r.Row2, a3 = this * r.Row3;
+            return new SymmetricMatrix3(
+                new Vector3d(Vector3d.Dot(r.Row1, a1), Vector3d.Dot(r.Row2, a2), Vector3d.Dot(r.Row3, a3)),
+                new Vector3d(Vector3d.Dot(r.Row2, a3), Vector3d.Dot(r.Row1, a3), Vector3d.Dot(r.Row1, a2)));
+        }
+
+        /// <summary>A⁻¹ by cofactors. Loses as many digits as the largest and smallest moment are apart.</summary>
+        public SymmetricMatrix3 Inverse
+        {
+            [MethodImpl(MethodImplOptions.AggressiveInlining)]
+            get
+            {
+                double xx = Diagonal.X, yy = Diagonal.Y, zz = Diagonal.Z;
+                double yz = OffDiagonal.X, xz = OffDiagonal.Y, xy = OffDiagonal.Z;
+                double cxx = yy * zz - yz * yz, cxy = xz * yz - xy * zz, cxz = xy * yz - xz * yy;
+                double s = 1 / (xx * cxx + xy * cxy + xz * cxz);
+                return new SymmetricMatrix3(
+                    new Vector3d(s * cxx, s * (xx * zz - xz * xz), s * (xx * yy - xy * xy)),
+                    new Vector3d(s * (xy * xz - xx * yz), s * cxz, s * cxy));
+            }
+        }
+
+        /// <summary>The six numbers, by name.</summary>
+        public override string ToString() => string.Format(
+            CultureInfo.InvariantCulture,
+            "xx {0:R}, yy {1:R}, zz {2:R}, yz {3:R}, xz {4:R}, xy {5:R}",
+            Diagonal.X, Diagonal.Y, Diagonal.Z, OffDiagonal.X, OffDiagonal.Y, OffDiagonal.Z);
+    }
+}

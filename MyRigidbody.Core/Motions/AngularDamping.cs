@@ -1,0 +1,19 @@
+namespace RigidBodyDynamics
+{
+    /// <summary>Damps the rotation: L' = −c L, so ω falls by exp(−c h) in a time h, in steps of any length.</summary>
+    public readonly struct AngularDamping : ICoast
+    {
+        private readonly double _rate;
+
+        /// <summary>Damping at the given rate c, 1/s.</summary>
+        public AngularDamping(double rate)
+        {
+            _rate = Guard.NotNegative(rate, "angularDamping");
+        }
+
+        public void AddTo(ref Coasting coasting) => coasting.AngularDampingRate += _rate;
+
+        /// <summary>In words.</summary>
+        public override string ToString() => "angular damping " + _rate.ToString("R", System.Globalization.CultureInfo.InvariantCulture) + " /s";
+    }
+}

@@ -1,0 +1,59 @@
+namespace RigidBodyDynamics
+{
+    /// <summary>
+    /// All that acts on a body that coasts: v' = g − c v and L' = −c_ω L, and the lab's factors once a step. The sum
+    /// of the scene's <see cref="ICoast"/> effects.
+    /// </summary>
+    public struct Coasting
+    {
+        /// <summary>g, m/s², world axes.</summary>
+        public Vector3d Acceleration;
+
+        /// <summary>c, 1/s.</summary>
+        public double LinearDampingRate;
+
+        /// <summary>c_ω, 1/s.</summary>
+        public double AngularDampingRate;
+
+        /// <summary>Factor on the velocity at the end of each step, whatever its length.</summary>
+        public double LinearFactorPerStep;
+
+        /// <summary>Factor on the angular velocity at the end of each step, whatever its length.</summary>
+        public double AngularFactorPerStep;
+
+        /// <summary>Nothing acts.</summary>
+        public static Coasting Free => new Coasting { LinearFactorPerStep = 1, AngularFactorPerStep = 1 };
+
+        /// <summary>What is left of a velocity after a step by damping alone: exp(−c h), times the factor per step.</summary>
+        public double LinearDecay(double duration) => Decay(LinearDampingRate, duration) * LinearFactorPerStep;
+
+        /// <summary>What is left of an angular velocity after a step by damping alone.</summary>
+        public double AngularDecay(double duration) => Decay(AngularDampingRate, duration) * AngularFactorPerStep;
+
+        /// <summary>Adds force m (g − c v) and torque −c_ω L, N and N m, at an instant.</summary>
+        public void At(in BodyState body, MassProperties mass, ref Wrench wrench)
+        {
+            wrench.Force += mass.Mass * (Acceleration - LinearDampingRate * body.Velocity);
+            wrench.Torque -= AngularDampingRate * Conserved.AngularMomentum(body, mass);
+        }
+
+        /// <summary>
+        /// The exact flow of the translation under gravity and damping together, and of the angular velocity under
+        /// damping alone (the turn that goes with it is the free rotation's). The factors per step are left out.
+        /// </summary>
+        /// <remarks>
+        /// v' = g − c v has v = e^(−ch) v₀ + s g and x = x₀ + s v₀ + (h − s)/c g, with s = (1 − e^(−ch))/c. Written
+        /// with φ₁ and φ₂ nothing cancels, and c = 0 is no case of its own.
+        /// </remarks>
+        public void Advance(double duration, ref BodyState body)
+        {
+            double z = LinearDampingRate * duration;
+            double s = duration * Elementary.Phi1(z), r = duration * duration * Elementary.Phi2(z);
+            body.Position += s * body.Velocity + r * Acceleration;
+            body.Velocity = Decay(LinearDampingRate, duration) * body.Velocity + s * Acceleration;
+            body.AngularVelocity = Decay(AngularDampingRate, duration) * body.AngularVelocity;
+        }
+
+        private static double Decay(double rate, double duration) => rate == 0 ? 1 : Elementary.Exp(-rate * duration);
+    }
+}

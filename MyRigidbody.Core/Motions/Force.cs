@@ -1,0 +1,28 @@
+using System.Runtime.CompilerServices;
+
+namespace RigidBodyDynamics
+{
+    /// <summary>A constant force at the centre of mass.</summary>
+    public readonly struct Force : IPush
+    {
+        private readonly Vector3d _force;
+
+        /// <summary>The force, N, world axes.</summary>
+        public Force(Vector3d force)
+        {
+            _force = Guard.Finite(force, "force");
+        }
+
+        public PushTraits Traits => PushTraits.Moves;
+
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        public void At(in Instant now, in BodyState body, MassProperties mass, ref Wrench wrench) => wrench.Force += _force;
+
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        public void Over(in Instant now, double duration, in BodyState body, MassProperties mass, ref Wrench impulse) =>
+            impulse.Force += duration * _force;
+
+        /// <summary>In words.</summary>
+        public override string ToString() => "force " + _force + " N";
+    }
+}

@@ -1,0 +1,19 @@
+namespace RigidBodyDynamics
+{
+    /// <summary>The same acceleration for every body, whatever its mass.</summary>
+    public readonly struct Gravity : ICoast
+    {
+        private readonly Vector3d _acceleration;
+
+        /// <summary>Gravity of the given acceleration, m/s², world axes.</summary>
+        public Gravity(Vector3d acceleration)
+        {
+            _acceleration = Guard.Finite(acceleration, "gravity");
+        }
+
+        public void AddTo(ref Coasting coasting) => coasting.Acceleration += _acceleration;
+
+        /// <summary>In words.</summary>
+        public override string ToString() => "gravity " + _acceleration + " m/s²";
+    }
+}

@@ -1,0 +1,56 @@
+using System;
+
+namespace RigidBodyDynamics
+{
+    /// <summary>
+    /// An effect that pushes or turns a body. To write one of your own, write a struct with these three members; to
+    /// use it, <c>body.With(new MyEffect(...))</c>.
+    /// </summary>
+    /// <remarks>
+    /// Both questions are asked of a struct known at compile time, so an effect costs what it computes and one that
+    /// is not in the scene costs nothing. Neither may change the effect or allocate.
+    /// </remarks>
+    public interface IPush
+    {
+        /// <summary>What it does to a body and what it needs to know: what is not said here may be left out.</summary>
+        PushTraits Traits { get; }
+
+        /// <summary>Adds the force and torque at this instant. Asked by integrators that evaluate.</summary>
+        void At(in Instant now, in BodyState body, MassProperties mass, ref Wrench wrench);
+
+        /// <summary>
+        /// Adds the impulse this effect alone gives in the time that follows, the body held in its place: its exact
+        /// flow. Asked by integrators that compose. What depends on neither time nor velocity gives duration × At.
+        /// </summary>
+        void Over(in Instant now, double duration, in BodyState body, MassProperties mass, ref Wrench impulse);
+    }
+
+    /// <summary>What a push does and what it reads.</summary>
+    [Flags]
+    public enum PushTraits
+    {
+        /// <summary>Nothing.</summary>
+        None = 0,
+
+        /// <summary>Has a force.</summary>
+        Moves = 1,
+
+        /// <summary>Has a torque.</summary>
+        Turns = 2,
+
+        /// <summary>Depends on the time or the number of the step.</summary>
+        ReadsTime = 4,
+
+        /// <summary>Depends on the position.</summary>
+        ReadsPosition = 8,
+
+        /// <summary>Depends on the orientation.</summary>
+        ReadsOrientation = 16,
+
+        /// <summary>Depends on the velocity.</summary>
+        ReadsVelocity = 32,
+
+        /// <summary>Depends on the angular velocity.</summary>
+        ReadsAngularVelocity = 64,
+    }
+}

@@ -1,0 +1,19 @@
+namespace RigidBodyDynamics
+{
+    /// <summary>Damps the velocity: v' = −c v, so v falls by exp(−c h) in a time h, in steps of any length.</summary>
+    public readonly struct LinearDamping : ICoast
+    {
+        private readonly double _rate;
+
+        /// <summary>Damping at the given rate c, 1/s.</summary>
+        public LinearDamping(double rate)
+        {
+            _rate = Guard.NotNegative(rate, "linearDamping");
+        }
+
+        public void AddTo(ref Coasting coasting) => coasting.LinearDampingRate += _rate;
+
+        /// <summary>In words.</summary>
+        public override string ToString() => "linear damping " + _rate.ToString("R", System.Globalization.CultureInfo.InvariantCulture) + " /s";
+    }
+}

@@ -1,0 +1,20 @@
+using System.Runtime.CompilerServices;
+
+namespace RigidBodyDynamics
+{
+    /// <summary>The empty sum: nothing pushes, nothing is computed.</summary>
+    public struct Nothing : IPush
+    {
+        public PushTraits Traits => PushTraits.None;
+
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        public void At(in Instant now, in BodyState body, MassProperties mass, ref Wrench wrench)
+        {
+        }
+
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        public void Over(in Instant now, double duration, in BodyState body, MassProperties mass, ref Wrench impulse)
+        {
+        }
+    }
+}

@@ -1,0 +1,31 @@
+using System.Globalization;
+
+namespace RigidBodyDynamics
+{
+    /// <summary>Drag of a fast body in air: force −k abs(v) v.</summary>
+    public readonly struct QuadraticDrag : IPush
+    {
+        private readonly double _k;
+
+        /// <summary>Drag with the given k, kg/m.</summary>
+        public QuadraticDrag(double k)
+        {
+            _k = Guard.NotNegative(k, "quadraticDrag");
+        }
+
+        public PushTraits Traits => PushTraits.Moves | PushTraits.ReadsVelocity;
+
+        public void At(in Instant now, in BodyState body, MassProperties mass, ref Wrench wrench) =>
+            wrench.Force -= _k * body.Velocity.Length * body.Velocity;
+
+        /// <remarks>m v' = −k abs(v) v has v = v₀ / (1 + z), z = k abs(v₀) h / m: it slows and never turns back.</remarks>
+        public void Over(in Instant now, double duration, in BodyState body, MassProperties mass, ref Wrench impulse)
+        {
+            double z = _k * body.Velocity.Length * duration * mass.InverseMass;
+            impulse.Force -= mass.Mass * (z / (1 + z)) * body.Velocity;
+        }
+
+        /// <summary>In words.</summary>
+        public override string ToString() => "drag " + _k.ToString("R", CultureInfo.InvariantCulture) + " abs(v) v N";
+    }
+}

@@ -1,0 +1,41 @@
+using System.Globalization;
+
+namespace RigidBodyDynamics
+{
+    /// <summary>A spring of no length of its own, from a point of the body to a point of the world.</summary>
+    public readonly struct Spring : IPush
+    {
+        private readonly Vector3d _anchor;
+        private readonly Vector3d _at;
+        private readonly double _stiffness;
+
+        /// <summary>The spring.</summary>
+        /// <param name="anchor">Where it holds the body, body frame, m.</param>
+        /// <param name="at">Where it holds on to the world, m.</param>
+        /// <param name="stiffness">N/m.</param>
+        public Spring(Vector3d anchor, Vector3d at, double stiffness)
+        {
+            _anchor = Guard.Finite(anchor, nameof(anchor));
+            _at = Guard.Finite(at, nameof(at));
+            _stiffness = Guard.NotNegative(stiffness, nameof(stiffness));
+        }
+
+        public PushTraits Traits =>
+            PushTraits.Moves | PushTraits.Turns | PushTraits.ReadsPosition | PushTraits.ReadsOrientation;
+
+        public void At(in Instant now, in BodyState body, MassProperties mass, ref Wrench wrench) =>
+            Over(now, 1, body, mass, ref wrench);
+
+        public void Over(in Instant now, double duration, in BodyState body, MassProperties mass, ref Wrench impulse)
+        {
+            Vector3d force = _stiffness * (_at - (body.Position + body.Orientation.Rotate(_anchor)));
+            Vector3d arm = body.Orientation.Rotate(_anchor - mass.CenterOfMass);
+            impulse.Force += duration * force;
+            impulse.Torque += duration * Vector3d.Cross(arm, force);
+        }
+
+        /// <summary>In words.</summary>
+        public override string ToString() => string.Format(
+            CultureInfo.InvariantCulture, "spring {0:R} N/m from {1} to {2}", _stiffness, _anchor, _at);
+    }
+}

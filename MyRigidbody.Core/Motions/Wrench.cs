@@ -1,0 +1,22 @@
+namespace RigidBodyDynamics
+{
+    /// <summary>
+    /// Force and torque at an instant (N, N m), or what they give over a time (N s, N m s). Torques are about the
+    /// centre of mass.
+    /// </summary>
+    public struct Wrench
+    {
+        /// <summary>Force in world axes.</summary>
+        public Vector3d Force;
+
+        /// <summary>Torque in world axes.</summary>
+        public Vector3d Torque;
+
+        /// <summary>Torque in body axes, beside the other: integrators that work in body axes take it as it is.</summary>
+        public Vector3d BodyTorque;
+
+        /// <summary>The whole torque in world axes.</summary>
+        public Vector3d TorqueInWorld(Quaterniond orientation) =>
+            BodyTorque.IsZero ? Torque : Torque + orientation.Rotate(BodyTorque);
+    }
+}

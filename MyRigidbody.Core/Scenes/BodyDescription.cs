@@ -1,0 +1,110 @@
+using System.Collections.Generic;
+
+namespace RigidBodyDynamics
+{
+    /// <summary>A body of a scene: what it is, how it starts, what acts on it, and by which rule it moves.</summary>
+    public sealed class BodyDescription
+    {
+        private readonly List<Effect> _effects = new List<Effect>();
+
+        /// <summary>A body at rest at the origin, on which nothing acts.</summary>
+        /// <param name="name">Unique in its scene.</param>
+        /// <param name="mass">Mass and inertia, for instance of <see cref="Solids"/> or <see cref="PointMasses"/>.</param>
+        public BodyDescription(string name, MassProperties mass)
+        {
+            Name = !string.IsNullOrEmpty(name) ? name : throw Guard.Refused(nameof(name), name, "must not be empty");
+            Mass = Guard.NotNull(mass, nameof(mass));
+        }
+
+        /// <summary>Its name.</summary>
+        public string Name { get; }
+
+        /// <summary>Mass and inertia.</summary>
+        public MassProperties Mass { get; }
+
+        /// <summary>Name of its row in the <see cref="Catalogue"/>.</summary>
+        public string Integrator { get; set; } = Catalogue.Default.Name;
+
+        /// <summary>The state at time zero.</summary>
+        public BodyState Start { get; set; } = BodyState.AtRest;
+
+        /// <summary>False for a body that does not translate; it is not charged for it.</summary>
+        public bool CanMove { get; set; } = true;
+
+        /// <summary>False for a body that does not rotate; it is not charged for it.</summary>
+        public bool CanTurn { get; set; } = true;
+
+        /// <summary>For the lab's integrators.</summary>
+        public LabSettings Lab { get; set; } = new LabSettings();
+
+        /// <summary>For <c>UnityRigidbody</c>.</summary>
+        public UnitySettings Unity { get; set; } = new UnitySettings();
+
+        /// <summary>What acts on it. What is not here is not computed.</summary>
+        public IReadOnlyList<Effect> Effects => _effects;
+
+        /// <summary>Adds a push, for all time or for a part of it (s).</summary>
+        public BodyDescription With<TPush>(TPush push, double from = 0, double to = double.PositiveInfinity)
+            where TPush : struct, IPush
+        {
+            _effects.Add(new PushEffect<TPush>(push, from, to));
+            return this;
+        }
+
+        /// <summary>Adds gravity or a damping, for all time or for a part of it (s).</summary>
+        public BodyDescription With(ICoast coast, double from = 0, double to = double.PositiveInfinity)
+        {
+            _effects.Add(new CoastEffect(coast, from, to));
+            return this;
+        }
+
+        /// <summary>Adds an effect of another body.</summary>
+        public BodyDescription With(Effect effect)
+        {
+            _effects.Add(Guard.NotNull(effect, nameof(effect)));
+            return this;
+        }
+
+        /// <summary>The same body under another name and with other mass properties; the effects may then differ.</summary>
+        public BodyDescription Copy(string name, MassProperties mass)
+        {
+            BodyDescription copy = new BodyDescription(name, mass)
+            {
+                Integrator = Integrator,
+                Start = Start,
+                CanMove = CanMove,
+                CanTurn = CanTurn,
+                Lab = Lab,
+                Unity = Unity.Copy(),
+            };
+            copy._effects.AddRange(_effects);
+            return copy;
+        }
+
+        /// <summary>Takes away the effects for which the condition holds.</summary>
+        public BodyDescription Without(System.Predicate<Effect> condition)
+        {
+            _effects.RemoveAll(condition);
+            return this;
+        }
+
+        internal void Check()
+        {
+            Guard.Finite(Start.Position, "position");
+            Guard.Turn(Start.Orientation, "orientation");
+            Guard.Finite(Start.Velocity, "velocity");
+            Guard.Finite(Start.AngularVelocity, "angularVelocity");
+            Guard.NotNull(Lab, nameof(Lab));
+            Guard.NotNull(Unity, nameof(Unity));
+            if (!CanMove && !Start.Velocity.IsZero)
+            {
+                throw Guard.Refused("velocity", Start.Velocity, "must be zero where canMove is false");
+            }
+
+            if (!CanTurn && !Start.AngularVelocity.IsZero)
+            {
+                throw Guard.Refused("angularVelocity", Start.AngularVelocity, "must be zero where canTurn is false");
+            }
+        }
+    }
+}

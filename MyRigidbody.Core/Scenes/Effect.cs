@@ -1,0 +1,69 @@
+namespace RigidBodyDynamics
+{
+    /// <summary>An effect of a scene, and when it acts: during the steps that start at From ≤ t &lt; To.</summary>
+    public abstract class Effect
+    {
+        internal Effect(double from, double to)
+        {
+            From = !double.IsNaN(from) ? from : throw Guard.Refused("from", from, "must be a time");
+            To = to > from ? to : throw Guard.Refused("to", to, "must be later than from");
+        }
+
+        /// <summary>Start of the time in which it acts, s.</summary>
+        public double From { get; }
+
+        /// <summary>End of the time in which it acts, s; infinite if it has none.</summary>
+        public double To { get; }
+
+        /// <summary>The <see cref="IPush"/> or <see cref="ICoast"/> itself.</summary>
+        public abstract object Motion { get; }
+    }
+
+    /// <summary>An effect that a body coasts with.</summary>
+    internal sealed class CoastEffect : Effect
+    {
+        private readonly ICoast _coast;
+
+        public CoastEffect(ICoast coast, double from, double to) : base(from, to)
+        {
+            _coast = Guard.NotNull(coast, nameof(coast));
+        }
+
+        public override object Motion => _coast;
+
+        public void AddTo(ref Coasting coasting) => _coast.AddTo(ref coasting);
+    }
+
+    /// <summary>An effect that pushes, its type forgotten.</summary>
+    internal abstract class PushEffect : Effect
+    {
+        protected PushEffect(double from, double to) : base(from, to)
+        {
+        }
+
+        public abstract IPush Push { get; }
+
+        /// <summary>Remembers the type: adds this effect to a sum and goes on with the next.</summary>
+        public abstract Stretch<TIntegrator> Join<TIntegrator, TSum>(TSum sum, StretchBuilder<TIntegrator> builder, int next)
+            where TIntegrator : struct, IIntegrator
+            where TSum : struct, IPush;
+    }
+
+    /// <summary>An effect that pushes, its type known.</summary>
+    internal sealed class PushEffect<TPush> : PushEffect where TPush : struct, IPush
+    {
+        private readonly TPush _push;
+
+        public PushEffect(TPush push, double from, double to) : base(from, to)
+        {
+            _push = push;
+        }
+
+        public override IPush Push => _push;
+
+        public override object Motion => _push;
+
+        public override Stretch<TIntegrator> Join<TIntegrator, TSum>(TSum sum, StretchBuilder<TIntegrator> builder, int next) =>
+            builder.Bind(new Both<TSum, TPush>(sum, _push), next);
+    }
+}

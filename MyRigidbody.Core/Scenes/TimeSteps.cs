@@ -1,0 +1,103 @@
+using System;
+using System.Collections.Generic;
+
+namespace RigidBodyDynamics
+{
+    /// <summary>How time is divided: steps of one length, or a list of lengths.</summary>
+    /// <remarks>Step n starts at n × length, or at the sum of the lengths before it; nothing is added up step by step.</remarks>
+    public sealed class TimeSteps
+    {
+        /// <summary>No step may be longer, s.</summary>
+        public const double Longest = 1e9;
+
+        // a start this close to a moment, in steps, is at that moment: n × (1/60) may miss 1.5 by a rounding
+        private const double Same = 1e-6;
+
+        private readonly double _length;
+        private readonly double[] _lengths;
+        private readonly double[] _starts;
+
+        private TimeSteps(double length, long count)
+        {
+            _length = Possible(length, "step");
+            Count = count >= 1 ? count : throw Guard.Refused("steps", count, "must be at least 1");
+        }
+
+        private TimeSteps(IReadOnlyList<double> lengths)
+        {
+            Count = lengths.Count >= 1 ? lengths.Count : throw Guard.Refused("steps", lengths.Count, "must be at least 1");
+            _lengths = new double[lengths.Count];
+            _starts = new double[lengths.Count + 1];
+            double sum = 0, lost = 0;
+            for (int i = 0; i < _lengths.Length; i++)
+            {
+                _lengths[i] = Possible(lengths[i], "step[" + i + "]");
+                // Kahan: what the sum rounds away is added with the next length
+                double add = _lengths[i] - lost, next = sum + add;
+                lost = (next - sum) - add;
+                sum = next;
+                _starts[i + 1] = sum;
+            }
+        }
+
+        /// <summary>How many steps there are; <see cref="long.MaxValue"/> where there is no end.</summary>
+        public long Count { get; }
+
+        /// <summary>Steps of one length (s), without end.</summary>
+        public static TimeSteps Every(double length) => new TimeSteps(length, long.MaxValue);
+
+        /// <summary>A number of steps of one length (s).</summary>
+        public static TimeSteps Every(double length, long count) => new TimeSteps(length, count);
+
+        /// <summary>As many steps of one length (s) as it takes to reach a time (s).</summary>
+        public static TimeSteps Until(double duration, double length)
+        {
+            Guard.Positive(duration, nameof(duration));
+            double count = Math.Max(1, Math.Ceiling(duration / Possible(length, "step") - Same));
+            return count < 1e18
+                ? new TimeSteps(length, (long)count)
+                : throw Guard.Refused(nameof(duration), duration, "must not take more than 1e18 steps");
+        }
+
+        /// <summary>Steps of the given lengths, s.</summary>
+        public static TimeSteps Of(IReadOnlyList<double> lengths) => new TimeSteps(Guard.NotNull(lengths, nameof(lengths)));
+
+        /// <summary>Length of a step, s.</summary>
+        public double Length(long step) => _lengths == null ? _length : _lengths[step];
+
+        /// <summary>Time at which a step starts, s; that of step <see cref="Count"/> is the end.</summary>
+        public double StartOf(long step) => _starts == null ? step * _length : _starts[step];
+
+        /// <summary>The first step that starts at a time or after it; <see cref="Count"/> if none does.</summary>
+        public long FirstAt(double time)
+        {
+            if (!(time > 0))
+            {
+                return 0;
+            }
+
+            if (_starts == null)
+            {
+                double first = Math.Ceiling(time / _length - Same);
+                return first < Count ? (long)first : Count;
+            }
+
+            long low = 0, high = Count;
+            while (low < high)
+            {
+                long middle = low + (high - low) / 2;
+                if (_starts[middle] + Same * _lengths[middle] >= time)
+                    high = middle;
+                else
+                    low = middle + 1;
+            }
+
+            return low;
+        }
+
+        private static double Possible(double length, string name) =>
+            length > 0 && length <= Longest
+                ? length
+                : throw Guard.Refused(name, length, "must be above zero and at most 1e9 s");
+    }
+}

@@ -1,0 +1,123 @@
+using System.CommandLine;
+using System.Text;
+using Spectre.Console;
+using RigidBodyDynamics.Lab.Comparison;
+using RigidBodyDynamics.Lab.Output;
+
+namespace RigidBodyDynamics.Lab.Commands;
+
+/// <summary>MyRigidbody beside DefaultRigidbody: the motion, how far they part, and which rule makes how much of it.</summary>
+internal static class CompareCommand
+{
+    /// <summary>Where results go if nothing else is said.</summary>
+    public const string DefaultFolder = "out";
+
+    /// <summary>How far a recording may be from the simulation, m, rad and their rates.</summary>
+    public const double DefaultTolerance = 1e-3;
+
+    // each step of each frame rate is kept while it is summed up
+    private const long MostSteps = 5_000_000;
+
+    public static Command Create()
+    {
+        Argument<string?> scene = new("SCENE")
+        {
+            Description = "a scene file or a recording; the lab's scene if absent",
+            Arity = ArgumentArity.ZeroOrOne,
+        };
+        Option<string> output = new("--out")
+        {
+            Description = "folder for trajectories, summary and pictures",
+            HelpName = "DIR",
+            DefaultValueFactory = _ => DefaultFolder,
+        };
+        Option<double> tolerance = new("--tolerance")
+        {
+            Description = "for a recording: how far the simulation may be from it (m, rad, and both per s)",
+            HelpName = "E",
+            DefaultValueFactory = _ => DefaultTolerance,
+        };
+        Command command = new("compare", "MyRigidbody beside DefaultRigidbody, and why they part") { scene, output, tolerance };
+        command.SetAction(parsed => Execute(parsed.GetValue(scene) ?? Gallery.Lab, parsed.GetValue(output)!, parsed.GetValue(tolerance)));
+        return command;
+    }
+
+    /// <summary>Compares the bodies of a scene, or a recording with our own UnityRigidbody.</summary>
+    public static int Execute(string path, string folder, double tolerance)
+    {
+        SceneFile file = SceneReader.Read(path);
+        Simulation trajectory = Overrides.Start(path, file.Scene);
+        if (file.Scene.Steps.Count > MostSteps)
+        {
+            throw new InputException($"{path}: steps: compare takes at most {MostSteps}, found {file.Scene.Steps.Count}");
+        }
+
+        return file.Recording != null
+            ? RecordingComparison.Execute(file, file.Recording, folder, tolerance)
+            : Pairs(file, trajectory, folder);
+    }
+
+    private static int Pairs(SceneFile file, Simulation trajectory, string folder)
+    {
+        Scene scene = file.Scene;
+        IReadOnlyList<Pair> pairs = Pair.Of(file);
+        List<Findings> found = [];
+        Terminal.WithProgress("compare " + scene.Name, report =>
+        {
+            foreach (Pair pair in pairs)
+            {
+                found.Add(Findings.Of(pair, scene.Steps, done => report((found.Count + done) / pairs.Count)));
+            }
+        });
+
+        using Files files = new(folder, folder);
+        files.Write("trajectory.csv", to => WriteTrajectory(trajectory, file.Path, to));
+        files.Write("apart.csv", to => File.WriteAllText(to, CompareSummary.Csv(found)));
+        files.Write("summary.json", to => File.WriteAllText(to, CompareSummary.Json(scene, found)));
+        for (int i = 0; i < found.Count; i++)
+        {
+            Findings pair = found[i];
+            string ending = found.Count > 1 ? "-" + (i + 1) : string.Empty;
+            foreach (string format in new[] { ".png", ".svg" })
+            {
+                files.Write($"apart{ending}{format}", to => ComparePictures.Save(ComparePictures.Apart(scene, pair), to));
+                files.Write($"rules{ending}{format}", to => ComparePictures.Save(ComparePictures.Rules(scene, pair), to));
+            }
+        }
+
+        files.Keep();
+        Print(scene, found, folder);
+        return 0;
+    }
+
+    private static void Print(Scene scene, List<Findings> found, string folder)
+    {
+        IAnsiConsole console = Terminal.Out;
+        double duration = scene.Steps.StartOf(scene.Steps.Count);
+        console.WriteLine(FormattableString.Invariant($"{scene.Name}: {scene.About}"));
+        console.WriteLine(FormattableString.Invariant($"{scene.Steps.Count} steps, {duration:0.###} s"));
+        foreach (Findings pair in found)
+        {
+            console.WriteLine();
+            console.Write(CompareTables.Of(pair));
+        }
+
+        console.WriteLine();
+        console.WriteLine($"Written to {folder}: trajectory.csv, apart.csv, summary.json, pictures (.png, .svg)");
+    }
+
+    /// <summary>The trajectories of all bodies, every step.</summary>
+    internal static void WriteTrajectory(Simulation simulation, string path, string to)
+    {
+        using StreamWriter writer = new(to, append: false, new UTF8Encoding(false));
+        TrajectoryCsv csv = new(writer);
+        csv.WriteHeader();
+        csv.WriteRows(simulation);
+        while (simulation.StepsDone < simulation.Scene.Steps.Count)
+        {
+            simulation.Step();
+            RunCommand.MustBeFinite(simulation, path);
+            csv.WriteRows(simulation);
+        }
+    }
+}

@@ -1,0 +1,57 @@
+namespace RigidBodyDynamics.Lab.Commands;
+
+/// <summary>What the command line sets in place of what the scene says.</summary>
+internal static class Overrides
+{
+    /// <summary>The scene with another integrator, another step, or both, for every body.</summary>
+    public static Scene Apply(Scene scene, string? integrator, double? step)
+    {
+        if (integrator != null)
+        {
+            Named("--integrator", () => Catalogue.Find(integrator));
+            foreach (BodyDescription body in scene.Bodies)
+            {
+                body.Integrator = integrator;
+            }
+        }
+
+        if (step == null)
+        {
+            return scene;
+        }
+
+        if (scene.Bodies.Any(body => body.Effects.Any(effect => effect.Motion is PerStep)))
+        {
+            throw new InputException("--step: the scene gives a force for every step, so its steps cannot be changed");
+        }
+
+        double duration = scene.Steps.StartOf(scene.Steps.Count);
+        TimeSteps steps = Named("--step", () => TimeSteps.Until(duration, step.Value));
+        return new Scene(scene.Name, scene.About, steps, scene.Bodies);
+    }
+
+    /// <summary>The simulation of a scene; what the Core refuses is an error of the file.</summary>
+    public static Simulation Start(string path, Scene scene)
+    {
+        try
+        {
+            return new Simulation(scene);
+        }
+        catch (ArgumentException refused)
+        {
+            throw new InputException($"{path}: {refused.Message}");
+        }
+    }
+
+    private static T Named<T>(string option, Func<T> make)
+    {
+        try
+        {
+            return make();
+        }
+        catch (ArgumentException refused)
+        {
+            throw new InputException($"{option}: {refused.Message}");
+        }
+    }
+}

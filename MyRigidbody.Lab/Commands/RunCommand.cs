@@ -1,0 +1,113 @@
+using System.CommandLine;
+using System.Text;
+using RigidBodyDynamics.Lab.Output;
+
+namespace RigidBodyDynamics.Lab.Commands;
+
+/// <summary>Writes the trajectory of a scene.</summary>
+internal static class RunCommand
+{
+    private const long StepsBetweenReports = 50_000;
+
+    public static Command Create()
+    {
+        Argument<string> scene = new("SCENE") { Description = "a scene file or a recording" };
+        Option<string?> integrator = new("--integrator") { Description = "the rule for every body, instead of the file's", HelpName = "NAME" };
+        Option<double?> step = new("--step") { Description = "length of every step in s, instead of the file's", HelpName = "S" };
+        Option<long> every = new("--every")
+        {
+            Description = "write every K-th step; 0: the end only",
+            HelpName = "K",
+            DefaultValueFactory = _ => 1,
+        };
+        Option<string?> output = new("--out") { Description = "the file to write; standard output if absent", HelpName = "FILE" };
+        Command command = new("run", "The trajectory of a scene, as CSV") { scene, integrator, step, every, output };
+        command.SetAction(parsed => Execute(
+            parsed.GetValue(scene)!,
+            parsed.GetValue(integrator),
+            parsed.GetValue(step),
+            parsed.GetValue(every),
+            parsed.GetValue(output)));
+        return command;
+    }
+
+    private static int Execute(string path, string? integrator, double? step, long every, string? output)
+    {
+        if (every < 0)
+        {
+            throw new InputException($"--every: must not be below 0, found {every}");
+        }
+
+        Scene scene = Overrides.Apply(SceneReader.Read(path).Scene, integrator, step);
+        Simulation simulation = Overrides.Start(path, scene);
+        if (output == null)
+        {
+            using StreamWriter standard = new(Console.OpenStandardOutput(), new UTF8Encoding(false));
+            WriteUnlessReaderLeaves(() => Write(simulation, every, path, standard));
+            return 0;
+        }
+
+        string folder = Path.GetDirectoryName(Path.GetFullPath(output)) ?? throw new InputException($"{output}: is a folder");
+        using Files files = new(folder, output);
+        files.Write(Path.GetFileName(output), temporary =>
+        {
+            using StreamWriter file = new(temporary, append: false, new UTF8Encoding(false));
+            Write(simulation, every, path, file);
+        });
+        files.Keep();
+        return 0;
+    }
+
+    private static void Write(Simulation simulation, long every, string path, TextWriter writer)
+    {
+        TrajectoryCsv csv = new(writer);
+        csv.WriteHeader();
+        long count = simulation.Scene.Steps.Count;
+        if (every > 0)
+        {
+            csv.WriteRows(simulation);
+        }
+
+        Terminal.WithProgress("run " + simulation.Scene.Name, report =>
+        {
+            long next = every == 0 ? count : Math.Min(every, count);
+            while (simulation.StepsDone < count)
+            {
+                simulation.Step(Math.Min(next - simulation.StepsDone, StepsBetweenReports));
+                report((double)simulation.StepsDone / count);
+                if (simulation.StepsDone == next)
+                {
+                    MustBeFinite(simulation, path);
+                    csv.WriteRows(simulation);
+                    next = every == 0 || next > count - every ? count : next + every;
+                }
+            }
+        });
+    }
+
+    /// <summary>A rule can run away from a scene that is too hard for it; its numbers are then worth nothing.</summary>
+    internal static void MustBeFinite(Simulation simulation, string path)
+    {
+        foreach (Body body in simulation.Bodies)
+        {
+            if (!body.State.IsFinite || !Guard.IsFinite(body.KineticEnergy))
+            {
+                throw new FellShortException(
+                    $"{path}: body {body.Name}: {body.Integrator} has run away: no finite state after step {simulation.StepsDone}");
+            }
+        }
+    }
+
+    /// <summary>Who reads a pipe may stop (<c>| head</c>); that is no error of ours.</summary>
+    private static void WriteUnlessReaderLeaves(Action write)
+    {
+        try
+        {
+            write();
+        }
+        catch (IOException)
+        {
+            // the pipe is closed
+        }
+    }
+}

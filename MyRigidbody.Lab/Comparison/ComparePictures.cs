@@ -1,0 +1,111 @@
+using ScottPlot;
+using ScottPlot.Hatches;
+using ScottPlot.Plottables;
+
+namespace RigidBodyDynamics.Lab.Comparison;
+
+/// <summary>A comparison as pictures.</summary>
+internal static class ComparePictures
+{
+    private const int Width = 1000, Height = 560;
+    private static readonly Color Blue = Color.FromHex("#1f5fa8"), Orange = Color.FromHex("#c8550a");
+
+    /// <summary>Distance and angle over time; solid and dashed, so that they can be told apart without colour.</summary>
+    public static Plot Apart(Scene scene, Findings found)
+    {
+        Plot plot = New($"{scene.Name}: how far {found.Pair.Mine.Name} and {found.Pair.Default.Name} part");
+        double[] time = [.. found.Course.Select(row => row.Apart.Time)];
+        Scatter distance = plot.Add.ScatterLine(time, found.Course.Select(row => row.Apart.Distance).ToArray(), Blue);
+        distance.LegendText = "distance (left)";
+        Scatter angle = plot.Add.ScatterLine(time, found.Course.Select(row => row.Apart.Angle * 180 / Math.PI).ToArray(), Orange);
+        angle.LegendText = "angle (right)";
+        angle.LinePattern = LinePattern.Dashed;
+        angle.Axes.YAxis = plot.Axes.Right;
+        distance.LineWidth = angle.LineWidth = 2.5f;
+        plot.XLabel("time, s", 16);
+        plot.YLabel("distance, m", 16);
+        plot.Axes.Right.Label.Text = "angle, °";
+        plot.Axes.Right.Label.FontSize = 16;
+        plot.Axes.Left.Label.ForeColor = Blue;
+        plot.Axes.Right.Label.ForeColor = Orange;
+        plot.Axes.SetLimitsY(0, Top(found.Course.Max(row => row.Apart.Distance)), plot.Axes.Left);
+        plot.Axes.SetLimitsY(0, 190, plot.Axes.Right);
+        plot.Axes.SetLimitsX(0, time[^1]);
+        plot.ShowLegend(Edge.Bottom);
+        return plot;
+    }
+
+    /// <summary>The share of each rule in the mean distance and in the mean difference of turning, per cent.</summary>
+    public static Plot Rules(Scene scene, Findings found)
+    {
+        Plot plot = New($"{scene.Name}: which rule makes how much of the difference");
+        IReadOnlyList<RuleShare> shares = found.Shares.Shares;
+        Add(plot, shares, share => share.Distance / found.Shares.Whole.MeanDistance, 0.2, Fill(Blue, null));
+        Add(plot, shares, share => share.Turn / found.Shares.Whole.MeanTurn, -0.2, Fill(Orange, new Striped()));
+        plot.Axes.Left.SetTicks(
+            [.. Enumerable.Range(0, shares.Count).Select(i => (double)(shares.Count - 1 - i))],
+            [.. shares.Select(share => share.Rule.Name)]);
+        plot.Axes.Left.TickLabelStyle.FontSize = 16;
+        plot.XLabel("share, %", 16);
+        plot.Axes.Margins(bottom: 0.08, top: 0.08, left: 0.12, right: 0.12);
+        plot.Legend.ManualItems.Add(Entry("of the distance", Fill(Blue, null)));
+        plot.Legend.ManualItems.Add(Entry("of the turn", Fill(Orange, new Striped())));
+        plot.ShowLegend(Edge.Bottom);
+        return plot;
+    }
+
+    /// <summary>Writes a plot in the format of the path's ending.</summary>
+    public static void Save(Plot plot, string path)
+    {
+        if (Path.GetExtension(path) == ".svg")
+            plot.SaveSvg(path, Width, Height);
+        else
+            plot.SavePng(path, Width, Height);
+    }
+
+    private static Plot New(string title)
+    {
+        Plot plot = new();
+        plot.Title(title, 20);
+        plot.Legend.FontSize = 15;
+        plot.Axes.Bottom.TickLabelStyle.FontSize = 14;
+        plot.Axes.Left.TickLabelStyle.FontSize = 14;
+        plot.Axes.Right.TickLabelStyle.FontSize = 14;
+        plot.Font.Automatic();
+        return plot;
+    }
+
+    private static FillStyle Fill(Color color, IHatch? hatch) =>
+        new() { Color = color, Hatch = hatch, HatchColor = Colors.White.WithAlpha(0.6) };
+
+    private static LegendItem Entry(string text, FillStyle fill) => new() { LabelText = text, FillStyle = fill };
+
+    private static void Add(
+        Plot plot,
+        IReadOnlyList<RuleShare> shares,
+        Func<RuleShare, double> share,
+        double offset,
+        FillStyle fill)
+    {
+        Bar[] bars = [.. shares.Select((rule, i) =>
+        {
+            double percent = 100 * share(rule);
+            return new Bar
+            {
+                Position = shares.Count - 1 - i + offset,
+                Value = Guard.IsFinite(percent) ? percent : 0,
+                Size = 0.36,
+                FillColor = fill.Color,
+                FillHatch = fill.Hatch,
+                FillHatchColor = fill.HatchColor,
+                LineWidth = 0,
+                Label = Guard.IsFinite(percent) ? FormattableString.Invariant($"{percent:F1} %") : "–",
+            };
+        })];
+        BarPlot plotted = plot.Add.Bars(bars);
+        plotted.Horizontal = true;
+        plotted.ValueLabelStyle.FontSize = 13;
+    }
+
+    private static double Top(double largest) => largest > 0 ? 1.08 * largest : 1;
+}

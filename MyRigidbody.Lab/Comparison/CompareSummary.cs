@@ -1,0 +1,81 @@
+using System.Globalization;
+using System.Text.Encodings.Web;
+using System.Text.Json;
+
+namespace RigidBodyDynamics.Lab.Comparison;
+
+/// <summary>A comparison as a program reads it: all numbers in SI units and radians, unrounded.</summary>
+internal static class CompareSummary
+{
+    /// <summary>Indented, and letters as they are.</summary>
+    internal static readonly JsonSerializerOptions Options = new()
+    {
+        WriteIndented = true,
+        Encoder = JavaScriptEncoder.UnsafeRelaxedJsonEscaping,
+    };
+
+    /// <summary>The comparisons of a scene as JSON.</summary>
+    public static string Json(Scene scene, IEnumerable<Findings> found) => JsonSerializer.Serialize(
+        new
+        {
+            scene = scene.Name,
+            scene.About,
+            steps = scene.Steps.Count,
+            duration = scene.Steps.StartOf(scene.Steps.Count),
+            pairs = found.Select(Pair),
+        },
+        Options) + "\n";
+
+    /// <summary>How far each pair is apart over time, as CSV.</summary>
+    public static string Csv(IEnumerable<Findings> found)
+    {
+        List<string> lines = ["body,step,t,distance,angle,turn"];
+        foreach (Findings pair in found)
+        {
+            string name = "\"" + pair.Pair.Mine.Name.Replace("\"", "\"\"") + "\"";
+            lines.AddRange(pair.Course.Select(row => string.Create(
+                CultureInfo.InvariantCulture,
+                $"{name},{row.Step},{row.Apart.Time:R},{row.Apart.Distance:R},{row.Apart.Angle:R},{row.Apart.Turn:R}")));
+        }
+
+        return string.Join('\n', lines) + "\n";
+    }
+
+    private static object Pair(Findings found) => new
+    {
+        mine = found.Pair.Mine.Name,
+        integrator = found.Pair.Mine.Integrator,
+        unitys = found.Pair.Default.Name,
+        inWords = CompareTables.InWords(found),
+        whole = Apart(found.Shares.Whole),
+        rules = found.Shares.Shares.Select(share => new
+        {
+            rule = share.Rule.Name,
+            mine = share.Rule.Mine,
+            unitys = share.Rule.Unitys,
+            distanceShare = share.Distance,
+            turnShare = share.Turn,
+            alone = Apart(share.Alone),
+        }),
+        pushedInUpdate = found.FrameRates.Select(rate => new
+        {
+            framesPerSecond = rate.FramesPerSecond,
+            impulse = OrNull(rate.Impulse),
+            angularImpulse = OrNull(rate.AngularImpulse),
+            apart = Apart(rate.Apart),
+        }),
+    };
+
+    private static object Apart(Apart apart) => new
+    {
+        meanDistance = apart.MeanDistance,
+        meanTurn = apart.MeanTurn,
+        farthestDistance = apart.Farthest.Distance,
+        widestAngle = apart.Farthest.Angle,
+        lastDistance = apart.Last.Distance,
+        lastAngle = apart.Last.Angle,
+        lastTurn = apart.Last.Turn,
+    };
+
+    private static double? OrNull(double value) => Guard.IsFinite(value) ? value : null;
+}

@@ -1,0 +1,95 @@
+namespace RigidBodyDynamics.Lab.Comparison;
+
+/// <summary>What happens to DefaultRigidbody when the keys call AddForce in Update, as the course's script does.</summary>
+/// <param name="FramesPerSecond">How often Update runs.</param>
+/// <param name="Impulse">The impulse the keys give, as a multiple of what they give in FixedUpdate; NaN if they give none.</param>
+/// <param name="AngularImpulse">The same for the torque.</param>
+/// <param name="Apart">How far the body is then from the same body pushed in FixedUpdate.</param>
+internal sealed record FrameRate(int FramesPerSecond, double Impulse, double AngularImpulse, Apart Apart)
+{
+    /// <summary>The rates that are shown.</summary>
+    public static readonly int[] Shown = [30, 60, 144, 240];
+
+    /// <summary>True if keys act on the body, so that there is something to show.</summary>
+    public static bool Matters(BodyDescription body) => body.Effects.Any(IsKey);
+
+    /// <summary>
+    /// Runs the body once with its keys as they are, and once with all that the frames add up to. AddForce only notes
+    /// a force; the next physics step takes all that was noted, so a step may take the same push never, once or often.
+    /// </summary>
+    public static FrameRate Of(BodyDescription body, TimeSteps steps, int framesPerSecond)
+    {
+        Vector3d[] force = new Vector3d[steps.Count], torque = new Vector3d[steps.Count];
+        double end = steps.StartOf(steps.Count);
+        for (long frame = 0; frame / (double)framesPerSecond < end; frame++)
+        {
+            double time = frame / (double)framesPerSecond;
+            long next = FirstAfter(steps, time);
+            if (next < steps.Count)
+            {
+                Wrench wrench = Keys(body, framesPerSecond, frame, time);
+                force[next] += wrench.Force;
+                torque[next] += wrench.Torque;
+            }
+        }
+
+        BodyDescription inUpdate = body.Copy(body.Name, body.Mass).Without(effect => IsKey(effect));
+        inUpdate.With(new PerStep(force, torque));
+        (double impulse, double angular) = Given(body, steps);
+        return new FrameRate(
+            framesPerSecond,
+            Sum(force, steps) / impulse,
+            Sum(torque, steps) / angular,
+            Apart.Between(body, inUpdate, steps));
+    }
+
+    private static bool IsKey(Effect effect) => effect.Motion is Key;
+
+    /// <summary>Within a frame Unity runs the physics steps that are due first, then Update.</summary>
+    private static long FirstAfter(TimeSteps steps, double time)
+    {
+        long step = steps.FirstAt(time);
+        bool isDueNow = step < steps.Count && Math.Abs(steps.StartOf(step) - time) <= 2e-6 * steps.Length(step);
+        return isDueNow ? step + 1 : step;
+    }
+
+    private static Wrench Keys(BodyDescription body, int framesPerSecond, long frame, double time)
+    {
+        TimeSteps frames = TimeSteps.Every(1.0 / framesPerSecond);
+        Wrench wrench = default;
+        foreach (Effect effect in body.Effects.Where(IsKey))
+        {
+            if (frames.FirstAt(effect.From) <= frame && frame < frames.FirstAt(effect.To))
+            {
+                ((Key)effect.Motion).At(new Instant(0, time), body.Start, body.Mass, ref wrench);
+            }
+        }
+
+        return wrench;
+    }
+
+    /// <summary>What the keys give in FixedUpdate, N s and N m s.</summary>
+    private static (double Impulse, double AngularImpulse) Given(BodyDescription body, TimeSteps steps)
+    {
+        Vector3d[] force = new Vector3d[steps.Count], torque = new Vector3d[steps.Count];
+        for (long step = 0; step < steps.Count; step++)
+        {
+            Wrench wrench = default;
+            foreach (Effect effect in body.Effects.Where(IsKey))
+            {
+                if (steps.FirstAt(effect.From) <= step && step < steps.FirstAt(effect.To))
+                {
+                    ((Key)effect.Motion).At(new Instant(step, steps.StartOf(step)), body.Start, body.Mass, ref wrench);
+                }
+            }
+
+            force[step] = wrench.Force;
+            torque[step] = wrench.Torque;
+        }
+
+        return (Sum(force, steps), Sum(torque, steps));
+    }
+
+    private static double Sum(Vector3d[] values, TimeSteps steps) =>
+        values.Select((value, step) => value.Length * steps.Length(step)).Sum();
+}

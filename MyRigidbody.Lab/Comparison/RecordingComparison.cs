@@ -1,0 +1,113 @@
+using System.Globalization;
+using System.Text.Json;
+using Spectre.Console;
+using RigidBodyDynamics.Lab.Commands;
+using RigidBodyDynamics.Lab.Output;
+
+namespace RigidBodyDynamics.Lab.Comparison;
+
+/// <summary>How far our UnityRigidbody is from a recorded Rigidbody, and where it first parts.</summary>
+internal sealed class RecordingComparison
+{
+    private static readonly (string Name, string Unit, int First, int Count)[] Parts =
+        [("position", "m", 0, 3), ("orientation", "", 3, 4), ("velocity", "m/s", 7, 3), ("angular velocity", "rad/s", 10, 3)];
+
+    private readonly double[] _farthest = new double[Parts.Length];
+    private string? _parts;
+
+    private double Farthest => _farthest.Max();
+
+    /// <summary>Compares, prints, writes; an exception if the simulation is farther than the tolerance.</summary>
+    public static int Execute(SceneFile file, Recording recording, string folder, double tolerance)
+    {
+        if (!(tolerance >= 0))
+        {
+            throw new InputException(FormattableString.Invariant($"--tolerance: must not be below 0, found {tolerance}"));
+        }
+
+        if (recording.Rows.Count == 0)
+        {
+            throw new InputException($"{recording.Path}: there is no such file, and compare needs the states that were recorded");
+        }
+
+        RecordingComparison found = new();
+        Simulation simulation = new(file.Scene);
+        found.Look(simulation, recording);
+        while (simulation.StepsDone < file.Scene.Steps.Count)
+        {
+            simulation.Step();
+            found.Look(simulation, recording);
+        }
+
+        using Files files = new(folder, folder);
+        files.Write("trajectory.csv", to => CompareCommand.WriteTrajectory(new Simulation(file.Scene), file.Path, to));
+        files.Write("summary.json", to => File.WriteAllText(to, found.Json(file.Scene)));
+        files.Keep();
+        found.Print(file.Scene, folder);
+        return found.Farthest <= tolerance
+            ? 0
+            : throw new FellShortException(FormattableString.Invariant(
+                $"{file.Path}: up to {found.Farthest:G3} from the recording, more than the tolerance {tolerance:G3}"));
+    }
+
+    private static double[] Values(in BodyState s) =>
+    [
+        s.Position.X, s.Position.Y, s.Position.Z,
+        s.Orientation.X, s.Orientation.Y, s.Orientation.Z, s.Orientation.W,
+        s.Velocity.X, s.Velocity.Y, s.Velocity.Z,
+        s.AngularVelocity.X, s.AngularVelocity.Y, s.AngularVelocity.Z,
+    ];
+
+    private void Look(Simulation simulation, Recording recording)
+    {
+        int row = (int)simulation.StepsDone;
+        double[] ours = Values(simulation.Bodies[0].State);
+        float[] theirs = recording.Rows[row];
+        for (int part = 0; part < Parts.Length; part++)
+        {
+            for (int i = Parts[part].First; i < Parts[part].First + Parts[part].Count; i++)
+            {
+                double distance = Math.Abs(ours[i] - theirs[i]);
+                _farthest[part] = distance > _farthest[part] || double.IsNaN(distance) ? distance : _farthest[part];
+                // equal numbers have equal bits, but for the sign of zero, which recordings do not keep
+                if ((float)ours[i] != theirs[i])
+                {
+                    _parts ??= string.Create(CultureInfo.InvariantCulture, $"step {row}, {Recording.Columns[i]}: {(float)ours[i]:R} here, {theirs[i]:R} recorded");
+                }
+            }
+        }
+
+        if (simulation.Bodies[0].IsAsleep != recording.IsAsleep(row))
+        {
+            _parts ??= string.Create(CultureInfo.InvariantCulture, $"step {row}: {(recording.IsAsleep(row) ? "awake here, asleep" : "asleep here, awake")} in the recording");
+        }
+    }
+
+    private void Print(Scene scene, string folder)
+    {
+        Table table = Terminal.NewTable("of", "largest difference");
+        for (int part = 0; part < Parts.Length; part++)
+        {
+            table.AddRow(new Text(Parts[part].Name), new Text(string.Create(CultureInfo.InvariantCulture, $"{_farthest[part]:G3} {Parts[part].Unit}").Trim()));
+        }
+
+        IAnsiConsole console = Terminal.Out;
+        console.WriteLine($"{scene.Name}: {scene.About}");
+        console.WriteLine(_parts == null
+            ? $"UnityRigidbody repeats all {scene.Steps.Count} steps of the recording bit for bit."
+            : $"UnityRigidbody first parts from the recording at {_parts}.");
+        console.Write(table);
+        console.WriteLine($"Written to {folder}: trajectory.csv, summary.json");
+    }
+
+    private string Json(Scene scene) => JsonSerializer.Serialize(
+        new
+        {
+            recording = scene.Name,
+            steps = scene.Steps.Count,
+            bitForBit = _parts == null,
+            firstParts = _parts,
+            largestDifference = Parts.Select((part, i) => (part.Name, Value: _farthest[i])).ToDictionary(part => part.Name, part => part.Value),
+        },
+        CompareSummary.Options) + "\n";
+}

@@ -1,0 +1,63 @@
+namespace RigidBodyDynamics.Lab.Comparison;
+
+/// <summary>Bodies that move at the same time, each with all that it has turned since the start.</summary>
+internal sealed class SideBySide
+{
+    private readonly Simulation _simulation;
+    private readonly BodyState[] _states;
+    private readonly Vector3d[] _turned;
+
+    /// <summary>All of them at their start.</summary>
+    public SideBySide(TimeSteps steps, params BodyDescription[] bodies)
+    {
+        _simulation = new Simulation(steps, [.. bodies.Select((body, i) => body.Copy("body " + i, body.Mass))]);
+        _states = [.. _simulation.Bodies.Select(body => body.State)];
+        _turned = new Vector3d[bodies.Length];
+    }
+
+    /// <summary>How many steps are done.</summary>
+    public long StepsDone => _simulation.StepsDone;
+
+    /// <summary>The state of a body now.</summary>
+    public BodyState this[int body] => _states[body];
+
+    /// <summary>
+    /// The sum of a body's turns as vectors, rad: unlike the orientation it does not come back after a whole turn.
+    /// </summary>
+    public Vector3d Turned(int body) => _turned[body];
+
+    /// <summary>How far two of the bodies are apart now.</summary>
+    public Moment Between(int a, int b) => new(
+        _simulation.Time,
+        (_states[a].Position - _states[b].Position).Length,
+        Conserved.AngleBetween(_states[a].Orientation, _states[b].Orientation),
+        (_turned[a] - _turned[b]).Length);
+
+    /// <summary>One step of all.</summary>
+    /// <returns>False if there was none left.</returns>
+    public bool Step()
+    {
+        if (_simulation.StepsDone == _simulation.Scene.Steps.Count)
+        {
+            return false;
+        }
+
+        _simulation.Step();
+        for (int i = 0; i < _states.Length; i++)
+        {
+            BodyState next = _simulation.Bodies[i].State;
+            _turned[i] += Turn(_states[i].Orientation, next.Orientation);
+            _states[i] = next;
+        }
+
+        return true;
+    }
+
+    /// <summary>The turn of one step as a vector: its axis in the world, its angle (rad, below π) as length.</summary>
+    private static Vector3d Turn(Quaterniond from, Quaterniond to)
+    {
+        Quaterniond d = to * from.Conjugate;
+        double sin = d.Vector.Length;
+        return sin == 0 ? Vector3d.Zero : 2 * Math.Atan2(sin, Math.Abs(d.W)) / sin * (d.W < 0 ? -d.Vector : d.Vector);
+    }
+}

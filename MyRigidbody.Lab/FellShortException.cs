@@ -1,0 +1,4 @@
+namespace RigidBodyDynamics.Lab;
+
+/// <summary>A comparison or check that fell short: exit code 1. The message is one whole line.</summary>
+internal sealed class FellShortException(string message) : Exception(message);

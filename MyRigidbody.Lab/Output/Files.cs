@@ -1,0 +1,63 @@
+namespace RigidBodyDynamics.Lab.Output;
+
+/// <summary>Writes files whole or not at all: beside their place first, then moved into it.</summary>
+internal sealed class Files : IDisposable
+{
+    private readonly string _folder;
+    private readonly string _name;
+    private readonly List<(string Temporary, string Final)> _written = [];
+
+    /// <summary>Files for a folder, which is made if it is not there.</summary>
+    /// <param name="folder">The folder.</param>
+    /// <param name="name">How the user called what is to be written; named in errors.</param>
+    public Files(string folder, string name)
+    {
+        _name = name;
+        _folder = Path.GetFullPath(folder);
+        Try(() => Directory.CreateDirectory(_folder));
+    }
+
+    /// <summary>Writes one file, by a function that is given the path to write to.</summary>
+    public void Write(string fileName, Action<string> write)
+    {
+        string temporary = Path.Combine(_folder, "." + Guid.NewGuid().ToString("N") + Path.GetExtension(fileName));
+        _written.Add((temporary, Path.Combine(_folder, fileName)));
+        Try(() => write(temporary));
+    }
+
+    /// <summary>Puts all files in their places.</summary>
+    public void Keep()
+    {
+        foreach ((string _, string final) in _written)
+        {
+            if (Directory.Exists(final))
+            {
+                throw new InputException($"{_name}: is a folder, and a file of this name is to be written");
+            }
+        }
+
+        Try(() => _written.ForEach(file => File.Move(file.Temporary, file.Final, overwrite: true)));
+        _written.Clear();
+    }
+
+    /// <summary>Takes away what was not kept.</summary>
+    public void Dispose()
+    {
+        foreach ((string temporary, string _) in _written)
+        {
+            File.Delete(temporary);
+        }
+    }
+
+    private void Try(Action action)
+    {
+        try
+        {
+            action();
+        }
+        catch (Exception problem) when (problem is IOException or UnauthorizedAccessException or ArgumentException or NotSupportedException)
+        {
+            throw new InputException($"{_name}: cannot be written: {problem.Message.ReplaceLineEndings(" ")}");
+        }
+    }
+}

@@ -1,0 +1,54 @@
+using System.Globalization;
+
+namespace RigidBodyDynamics.Lab.Output;
+
+/// <summary>The trajectory as CSV: a row a body and step, numbers that read back to the same bits.</summary>
+internal sealed class TrajectoryCsv(TextWriter writer)
+{
+    private const string Header =
+        "body,step,t,px,py,pz,qw,qx,qy,qz,vx,vy,vz,wx,wy,wz,Lx,Ly,Lz,kineticEnergy,asleep";
+
+    /// <summary>The first line.</summary>
+    public void WriteHeader()
+    {
+        writer.Write(Header);
+        writer.Write('\n');
+    }
+
+    /// <summary>A row for every body, as it is now.</summary>
+    public void WriteRows(Simulation simulation)
+    {
+        foreach (Body body in simulation.Bodies)
+        {
+            BodyState state = body.State;
+            writer.Write(Quoted(body.Name));
+            writer.Write(',');
+            writer.Write(simulation.StepsDone.ToString(CultureInfo.InvariantCulture));
+            Write(simulation.Time);
+            Write(state.Position);
+            Write(state.Orientation.W);
+            Write(state.Orientation.Vector);
+            Write(state.Velocity);
+            Write(state.AngularVelocity);
+            Write(body.AngularMomentum);
+            Write(body.KineticEnergy);
+            writer.Write(body.IsAsleep ? ",1\n" : ",0\n");
+        }
+    }
+
+    private static string Quoted(string name) =>
+        name.AsSpan().IndexOfAny(",\"\n\r") < 0 ? name : "\"" + name.Replace("\"", "\"\"") + "\"";
+
+    private void Write(Vector3d vector)
+    {
+        Write(vector.X);
+        Write(vector.Y);
+        Write(vector.Z);
+    }
+
+    private void Write(double number)
+    {
+        writer.Write(',');
+        writer.Write(number.ToString("R", CultureInfo.InvariantCulture));
+    }
+}

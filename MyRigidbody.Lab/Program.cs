@@ -1,0 +1,57 @@
+using System.CommandLine;
+using System.CommandLine.Parsing;
+using System.Text;
+using RigidBodyDynamics.Lab.Commands;
+
+namespace RigidBodyDynamics.Lab;
+
+/// <summary>The command line: every command answers bad input with one line on standard error and exit code 2.</summary>
+internal static class Program
+{
+    private static int Main(string[] args)
+    {
+        Console.OutputEncoding = new UTF8Encoding(encoderShouldEmitUTF8Identifier: false);
+        return Run(args);
+    }
+
+    /// <summary>Runs a command line as the shell would.</summary>
+    internal static int Run(string[] args)
+    {
+        RootCommand root = new("MyRigidbody moves rigid bodies and shows why Unity's own body moves differently.")
+        {
+            CompareCommand.Create(),
+            RunCommand.Create(),
+            IntegratorsCommand.Create(),
+        };
+        // with no command at all: the lab's scene, both bodies
+        root.SetAction(_ => CompareCommand.Execute(Gallery.Lab, CompareCommand.DefaultFolder, CompareCommand.DefaultTolerance));
+        ParseResult parsed = root.Parse(args);
+        if (parsed.Errors.Count > 0)
+        {
+            return Refuse(OneLine(parsed.Errors.Select(error => error.Message)) + " Try --help.");
+        }
+
+        try
+        {
+            return parsed.Invoke(new InvocationConfiguration { EnableDefaultExceptionHandler = false });
+        }
+        catch (InputException refused)
+        {
+            return Refuse(refused.Message);
+        }
+        catch (FellShortException shortfall)
+        {
+            Console.Error.WriteLine("error: " + shortfall.Message);
+            return 1;
+        }
+    }
+
+    private static int Refuse(string line)
+    {
+        Console.Error.WriteLine("error: " + line);
+        return 2;
+    }
+
+    private static string OneLine(IEnumerable<string> messages) =>
+        string.Join(' ', messages.SelectMany(message => message.Split('\n', '\r')).Where(line => line.Length > 0));
+}

@@ -1,0 +1,96 @@
+namespace RigidBodyDynamics.Lab;
+
+/// <summary>Reads a body of a scene.</summary>
+internal static class BodyReader
+{
+    private static readonly string[] LabIntegrators = ["LabEuler", "ExplicitEuler"];
+
+    /// <summary>The body; if it is made of a box's vertices, its solid box is noted by its name.</summary>
+    public static BodyDescription Read(Place place, Dictionary<string, MassProperties> solidBoxes)
+    {
+        Fields fields = place.Fields();
+        string name = fields.Required("name").Text();
+        Place? integrator = fields.Optional("integrator");
+        CatalogueRow row = integrator is Place named
+            ? named.Make(() => Catalogue.Find(named.Text()))
+            : Catalogue.Default;
+        (MassProperties mass, MassProperties? solidBox) = InertiaReader.Read(fields);
+
+        BodyDescription body = place.Make(() => new BodyDescription(name, mass));
+        body.Integrator = row.Name;
+        body.Start = Start(fields);
+        body.CanMove = fields.Or("canMove", true, flag => flag.Flag());
+        body.CanTurn = fields.Or("canTurn", true, flag => flag.Flag());
+        bool isLabs = LabIntegrators.Contains(row.Name), isUnitys = row.Name == "UnityRigidbody";
+        if (fields.OnlyIf(isLabs, "lab", $"is for {string.Join(" and ", LabIntegrators)} only, and this body moves by {row.Name}") is Place lab)
+        {
+            body.Lab = Lab(lab.Fields());
+        }
+
+        if (fields.OnlyIf(isUnitys, "unity", $"is for UnityRigidbody only, and this body moves by {row.Name}") is Place unity)
+        {
+            body.Unity = Unity(unity.Fields());
+        }
+
+        foreach (Place effect in fields.Optional("effects")?.List("a list of effects") ?? [])
+        {
+            EffectReader.Read(effect, body);
+        }
+
+        fields.End();
+        if (solidBox != null)
+        {
+            solidBoxes[name] = solidBox;
+        }
+
+        return body;
+    }
+
+    private static BodyState Start(Fields fields)
+    {
+        BodyState start = new(
+            fields.Or("position", Vector3d.Zero, place => place.Vector()),
+            fields.Or("orientation", Quaterniond.Identity, place => place.Turn()),
+            fields.Or("velocity", Vector3d.Zero, place => place.Vector()),
+            fields.Or("angularVelocity", Vector3d.Zero, place => place.Vector()));
+        Place? inBody = fields.Optional("angularVelocityBody");
+        if (inBody == null)
+        {
+            return start;
+        }
+
+        if (fields.Optional("angularVelocity") != null)
+        {
+            throw inBody.Value.Wrong("must not stand beside angularVelocity");
+        }
+
+        start.AngularVelocity = start.Orientation.Normalized.Rotate(inBody.Value.Vector());
+        return start;
+    }
+
+    private static LabSettings Lab(Fields fields)
+    {
+        LabSettings lab = new();
+        lab.Normalise = fields.Or("normalise", lab.Normalise, place => place.Flag());
+        lab.UnitRotation = fields.Or("unitRotation", lab.UnitRotation, place => place.Flag());
+        fields.End();
+        return lab;
+    }
+
+    private static UnitySettings Unity(Fields fields)
+    {
+        UnitySettings unity = new();
+        return fields.Place.Make(() =>
+        {
+            unity.Drag = fields.Or("drag", unity.Drag, place => place.Number());
+            unity.AngularDrag = fields.Or("angularDrag", unity.AngularDrag, place => place.Number());
+            unity.MaxAngularVelocity = fields.Or("maxAngularVelocity", unity.MaxAngularVelocity, place => place.Number());
+            unity.SleepThreshold = fields.Or("sleepThreshold", unity.SleepThreshold, place => place.Number());
+            unity.WakeCounter = fields.Or("wakeCounter", unity.WakeCounter, place => place.Number());
+            unity.GyroscopicForces = fields.Or("gyroscopicForces", unity.GyroscopicForces, place => place.Flag());
+            unity.InDouble = fields.Or("precision", 0, place => place.OneOf("single", "double")) == 1;
+            fields.End();
+            return unity;
+        });
+    }
+}

@@ -1,0 +1,55 @@
+using System.Text.Json;
+
+namespace RigidBodyDynamics.Lab;
+
+/// <summary>The fields of a JSON object. Each is taken by name; what nobody took is unknown and refused.</summary>
+internal sealed class Fields
+{
+    private readonly List<string> _known = [];
+
+    /// <summary>The fields of an object.</summary>
+    public Fields(Place place)
+    {
+        Place = place.Value.ValueKind == JsonValueKind.Object ? place : throw place.Not("an object { … }");
+    }
+
+    /// <summary>Where the object stands.</summary>
+    public Place Place { get; }
+
+    /// <summary>A field that must be there.</summary>
+    public Place Required(string name) => Optional(name) ?? throw Place.Wrong($"\"{name}\" is missing");
+
+    /// <summary>A field that may be there.</summary>
+    public Place? Optional(string name)
+    {
+        _known.Add(name);
+        return Place.Value.TryGetProperty(name, out JsonElement value) ? At(name, value) : null;
+    }
+
+    /// <summary>What a field says, or a default.</summary>
+    public T Or<T>(string name, T otherwise, Func<Place, T> read) => Optional(name) is Place place ? read(place) : otherwise;
+
+    /// <summary>A field that may be there only under a condition.</summary>
+    public Place? OnlyIf(bool condition, string name, string why)
+    {
+        Place? field = Optional(name);
+        return field == null || condition ? field : throw field.Value.Wrong(why);
+    }
+
+    /// <summary>The fields that nobody has taken yet.</summary>
+    public IReadOnlyList<(string Name, Place Place)> Rest() =>
+        [.. Place.Value.EnumerateObject().Where(field => !_known.Contains(field.Name)).Select(field => (field.Name, At(field.Name, field.Value)))];
+
+    /// <summary>All has been taken: any other field is refused.</summary>
+    /// <param name="alsoKnown">Names that could have stood here beside those that were asked for.</param>
+    public void End(params IEnumerable<string> alsoKnown)
+    {
+        foreach ((_, Place unknown) in Rest())
+        {
+            throw unknown.Wrong("is not a name known here; known are " + string.Join(", ", _known.Concat(alsoKnown).Distinct()));
+        }
+    }
+
+    private Place At(string name, JsonElement value) =>
+        new(Place.File, Place.Path.Length > 0 ? $"{Place.Path}.{name}" : name, value);
+}

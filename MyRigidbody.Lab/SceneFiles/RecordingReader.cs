@@ -1,0 +1,87 @@
+namespace RigidBodyDynamics.Lab;
+
+/// <summary>Reads a recording: one body that moves by UnityRigidbody, with a force and a torque for every step.</summary>
+internal static class RecordingReader
+{
+    /// <summary>The recording as a scene. Every number is read in single precision, as the engine received it.</summary>
+    public static SceneFile Read(Place root)
+    {
+        Fields fields = root.Fields();
+        fields.Required("schema");
+        string name = fields.Required("name").Text();
+        string about = fields.Or("about", string.Empty, place => place.Text());
+        long count = fields.Required("steps").Count();
+        Place dt = fields.Required("dt");
+        double[] lengths = [.. Numbers(dt, count)];
+        TimeSteps steps = dt.Make(() => TimeSteps.Of(lengths));
+        BodyDescription body = Body(fields, name);
+        Vector3d[] force = Vectors(fields, "force", count), torque = Vectors(fields, "torque", count);
+        body.With(new PerStep(force, torque));
+        bool usesGravity = fields.Required("useGravity").Flag();
+        Gravity gravity = new(Vector(fields, "gravity"));
+        if (usesGravity)
+        {
+            body.With(gravity);
+        }
+
+        fields.End();
+        root.Make(() => new Simulation(steps, body));
+        Scene scene = new(name, about, steps, [body]);
+        return new SceneFile(root.File, scene, new Dictionary<string, MassProperties>(), Recording.Beside(root.File, count));
+    }
+
+    private static BodyDescription Body(Fields fields, string name)
+    {
+        double mass = Number(fields, "mass");
+        Vector3d moments = Vector(fields, "inertiaTensor"), center = Vector(fields, "centerOfMass");
+        Quaterniond frame = Turn(fields, "inertiaTensorRotation");
+        MassProperties properties = fields.Place.Make(() => MassProperties.FromPrincipal(mass, moments, frame, center));
+        BodyDescription body = fields.Place.Make(() => new BodyDescription(name, properties));
+        body.Integrator = "UnityRigidbody";
+        body.Start = new BodyState(
+            Vector(fields, "position"),
+            Turn(fields, "rotation"),
+            Vector(fields, "linearVelocity"),
+            Vector(fields, "angularVelocity"));
+        body.Unity = fields.Place.Make(() => new UnitySettings
+        {
+            Drag = Number(fields, "linearDamping"),
+            AngularDrag = Number(fields, "angularDamping"),
+            MaxAngularVelocity = Number(fields, "maxAngularVelocity"),
+            SleepThreshold = Number(fields, "sleepThreshold"),
+            WakeCounter = Number(fields, "wakeCounter"),
+            GyroscopicForces = fields.Required("gyroscopicForces").Flag(),
+        });
+        return body;
+    }
+
+    private static double Number(Fields fields, string name) => fields.Required(name).Single();
+
+    private static IEnumerable<double> Numbers(Place place, long count)
+    {
+        IReadOnlyList<Place> list = place.List("a list of numbers");
+        return list.Count == count
+            ? list.Select(number => (double)number.Single())
+            : throw place.Wrong($"must have {count} numbers, found {list.Count}");
+    }
+
+    private static Vector3d Vector(Fields fields, string name)
+    {
+        double[] n = [.. Numbers(fields.Required(name), 3)];
+        return new Vector3d(n[0], n[1], n[2]);
+    }
+
+    /// <summary>Here, unlike in scenes, x, y, z, w.</summary>
+    private static Quaterniond Turn(Fields fields, string name)
+    {
+        Place place = fields.Required(name);
+        double[] n = [.. Numbers(place, 4)];
+        return place.Make(() => Guard.Turn(new Quaterniond(n[3], n[0], n[1], n[2]), string.Empty));
+    }
+
+    private static Vector3d[] Vectors(Fields fields, string name, long count)
+    {
+        double[] n = [.. Numbers(fields.Required(name), 3 * count)];
+        return [.. Enumerable.Range(0, (int)count).Select(i => new Vector3d(n[3 * i], n[3 * i + 1], n[3 * i + 2]))];
+    }
+}

@@ -1,0 +1,78 @@
+namespace RigidBodyDynamics.Lab;
+
+/// <summary>Reads a scene file ("rigid-body-scene/1") or a recording ("free-rigid-body/1").</summary>
+internal static class SceneReader
+{
+    /// <summary>The schema of a scene.</summary>
+    public const string Schema = "rigid-body-scene/1";
+
+    /// <summary>Reads the file; all that can be wrong with it is an <see cref="InputException"/>.</summary>
+    public static SceneFile Read(string path) => JsonFile.Read(path, root =>
+    {
+        Fields fields = root.Fields();
+        Place schema = fields.Required("schema");
+        return schema.OneOf(Schema, Recording.Schema) == 0 ? Scene(fields) : RecordingReader.Read(root);
+    });
+
+    private static SceneFile Scene(Fields fields)
+    {
+        string name = fields.Required("name").Text();
+        string about = fields.Or("about", string.Empty, place => place.Text());
+        fields.Or("$schema", string.Empty, place => place.Text());
+        TimeSteps steps = Steps(fields);
+        Place list = fields.Required("bodies");
+        fields.End();
+
+        Dictionary<string, MassProperties> solidBoxes = [];
+        List<BodyDescription> bodies = [];
+        foreach (Place place in list.List("a list of bodies"))
+        {
+            BodyDescription body = BodyReader.Read(place, solidBoxes);
+            if (bodies.Any(other => other.Name == body.Name))
+            {
+                throw place.Wrong($"name: must be unique in the scene, found \"{body.Name}\" again");
+            }
+
+            // what only shows when the body is put together
+            place.Make(() => new Simulation(steps, body));
+            bodies.Add(body);
+        }
+
+        if (bodies.Count == 0)
+        {
+            throw list.Wrong("must have at least one body");
+        }
+
+        return new SceneFile(list.File, new Scene(name, about, steps, bodies), solidBoxes, null);
+    }
+
+    private static TimeSteps Steps(Fields fields)
+    {
+        Place step = fields.Required("step");
+        Place? duration = fields.Optional("duration"), count = fields.Optional("steps");
+        if (step.Value.ValueKind == System.Text.Json.JsonValueKind.Array)
+        {
+            foreach (Place? extra in new[] { duration, count })
+            {
+                if (extra != null)
+                {
+                    throw extra.Value.Wrong("must not stand beside a list of steps, which says it already");
+                }
+            }
+
+            double[] lengths = [.. step.List().Select(place => place.Number())];
+            return fields.Place.Make(() => TimeSteps.Of(lengths));
+        }
+
+        double length = step.Number();
+        return (duration, count) switch
+        {
+            (Place d, null) => Make(d.Number(), seconds => TimeSteps.Until(seconds, length)),
+            (null, Place n) => Make(n.Count(), number => TimeSteps.Every(length, number)),
+            (null, null) => throw fields.Place.Wrong("\"duration\" or \"steps\" is missing"),
+            _ => throw fields.Place.Wrong("\"duration\" and \"steps\" exclude each other"),
+        };
+
+        TimeSteps Make<T>(T value, Func<T, TimeSteps> make) => fields.Place.Make(() => make(value));
+    }
+}

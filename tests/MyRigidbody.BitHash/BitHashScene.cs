@@ -1,0 +1,70 @@
+namespace RigidBodyDynamics.BitHash
+{
+    /// <summary>
+    /// Ten thousand steps with every integrator of the catalogue and every effect, and the fingerprint of all states
+    /// on the way. Compiled into the tests and into a program of its own, which Mono runs.
+    /// </summary>
+    public static class BitHashScene
+    {
+        /// <summary>How many steps the fingerprint covers.</summary>
+        public const int Steps = 10000;
+
+        /// <summary>The fingerprint.</summary>
+        public static ulong Compute()
+        {
+            StateHash hash = default(StateHash);
+            foreach (CatalogueRow row in Catalogue.Rows)
+            {
+                Simulation simulation = new Simulation(
+                    TimeSteps.Every(1.0 / 60, Steps),
+                    Everything("single", row.Name, inDouble: false),
+                    Everything("double", row.Name, inDouble: true));
+                for (int step = 0; step < Steps; step++)
+                {
+                    simulation.Step();
+                    foreach (Body body in simulation.Bodies)
+                    {
+                        hash.Add(body.State);
+                    }
+                }
+            }
+
+            return hash.Value;
+        }
+
+        private static BodyDescription Everything(string name, string integrator, bool inDouble)
+        {
+            MassProperties box = Solids.Box(2, new Vector3d(1, 2, 3));
+            MassProperties arm = Solids.Capsule(0.5, 0.2, 1.5);
+            MassProperties mass = new Compound()
+                .With(box, new Vector3d(0.1, 0, 0))
+                .With(arm, new Vector3d(0, 1, 0.3), Quaterniond.FromAxisAngle(new Vector3d(1, 1, 0), 0.7))
+                .ToMassProperties();
+            Vector3d[] kicks = { new Vector3d(1, 0, -2), new Vector3d(0.5, 0.25, 0), new Vector3d(0, -3, 1) };
+            BodyDescription body = new BodyDescription(name, mass)
+            {
+                Integrator = integrator,
+                Start = new BodyState(
+                    new Vector3d(1, 2, 3),
+                    new Quaterniond(0.8, 0.2, -0.4, 0.4),
+                    new Vector3d(0.5, -1, 0.25),
+                    new Vector3d(0.3, 1.1, -0.7)),
+                Unity = new UnitySettings { Drag = 0.1, InDouble = inDouble },
+            };
+            return body
+                .With(new Gravity(new Vector3d(0, -9.81, 0)), 0, 120)
+                .With(new LinearDamping(0.05))
+                .With(new AngularDamping(0.02))
+                .With(new DecayPerStep(0.999, 0.998), 20, 90)
+                .With(new Force(new Vector3d(0.5, 0, 0)), 1, 2)
+                .With(new Torque(new Vector3d(0.1, 0, 0), new Vector3d(0, 0.2, 0), new Vector3d(0, 0, 0.3), 1.5, inBody: true), 0, 100)
+                .With(new Torque(new Vector3d(0, 0.05, 0), new Vector3d(0.1, 0, 0.1), Vector3d.Zero, 0.5, inBody: false), 30, 130)
+                .With(new Key(LabKey.R), 0, 3)
+                .With(new Key(LabKey.RightArrow), 1, 2)
+                .With(new QuadraticDrag(0.01))
+                .With(new Spring(new Vector3d(0, 0.5, 0), new Vector3d(0, 3, 0), 4), 10, 160)
+                .With(new HeavyTop(new Vector3d(0, 0, 1), 0.4, new Vector3d(0, 1, 0)), 40, 50)
+                .With(new PerStep(kicks, kicks));
+        }
+    }
+}

@@ -1,0 +1,11 @@
+using System;
+using System.Globalization;
+
+namespace RigidBodyDynamics.BitHash
+{
+    internal static class Program
+    {
+        private static void Main() =>
+            Console.WriteLine(BitHashScene.Compute().ToString("x16", CultureInfo.InvariantCulture));
+    }
+}

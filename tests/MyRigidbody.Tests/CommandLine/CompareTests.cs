@@ -1,0 +1,120 @@
+using System.Text.Json;
+using NUnit.Framework;
+using RigidBodyDynamics.Lab;
+
+namespace RigidBodyDynamics.Tests.CommandLine;
+
+/// <summary><c>compare</c>, and the program without any command.</summary>
+public sealed class CompareTests
+{
+    private static readonly string[] Written =
+        ["apart.csv", "apart.png", "apart.svg", "rules.png", "rules.svg", "summary.json", "trajectory.csv"];
+
+    [Test]
+    public void Without_a_command_the_labs_scene_is_compared_into_out()
+    {
+        using TemporaryFolder folder = new();
+
+        LabProcess lab = LabProcess.Run(folder.Path);
+
+        Assert.That(lab.ExitCode, Is.Zero, lab.Error);
+        Assert.That(lab.Error, Is.Empty);
+        Assert.That(lab.Output, Does.Contain("limit of spin").And.Contain("damping").And.Contain("frames a second"));
+        Assert.That(Directory.GetFiles(folder.File("out")).Select(Path.GetFileName), Is.EquivalentTo(Written));
+    }
+
+    [Test]
+    public void Summary_shares_add_up_and_pictures_are_pictures()
+    {
+        using TemporaryFolder folder = new();
+
+        LabProcess lab = LabProcess.Run(folder.Path, "compare", Gallery.Lab, "--out", "结果 1");
+
+        using JsonDocument summary = JsonDocument.Parse(File.ReadAllText(folder.File("结果 1/summary.json")));
+        JsonElement pair = summary.RootElement.GetProperty("pairs")[0];
+        double sum = pair.GetProperty("rules").EnumerateArray().Sum(rule => rule.GetProperty("distanceShare").GetDouble());
+        byte[] png = File.ReadAllBytes(folder.File("结果 1/apart.png"));
+        Assert.That(lab.ExitCode, Is.Zero);
+        Assert.That(sum, Is.EqualTo(pair.GetProperty("whole").GetProperty("meanDistance").GetDouble()).Within(1e-12));
+        Assert.That(png.Take(4), Is.EqualTo(new byte[] { 0x89, (byte)'P', (byte)'N', (byte)'G' }));
+        Assert.That(File.ReadAllText(folder.File("结果 1/apart.svg")), Does.Contain("<svg").And.Contain("</svg>"));
+    }
+
+    [Test]
+    public void Comparing_twice_gives_the_same_files()
+    {
+        using TemporaryFolder folder = new();
+        string scene = Path.Combine(Gallery.Folder, "lab-box.json");
+
+        LabProcess.Run(folder.Path, "compare", scene, "--out", "a");
+        LabProcess.Run(folder.Path, "compare", scene, "--out", "b");
+
+        foreach (string name in Written)
+        {
+            Assert.That(File.ReadAllBytes(folder.File("b/" + name)), Is.EqualTo(File.ReadAllBytes(folder.File("a/" + name))), name);
+        }
+    }
+
+    [TestCase("lab-box.json")]
+    [TestCase("tumbling-slab.json")]
+    [TestCase("fall-with-drag.json")]
+    [TestCase("heavy-top.json")]
+    public void Every_scene_of_the_gallery_can_be_compared(string scene)
+    {
+        using TemporaryFolder folder = new();
+
+        LabProcess lab = LabProcess.Run(folder.Path, "compare", Path.Combine(Gallery.Folder, scene));
+
+        Assert.That(lab.ExitCode, Is.Zero, lab.Error);
+        Assert.That(File.Exists(folder.File("out/summary.json")), Is.True);
+    }
+
+    [Test]
+    public void A_recording_that_is_repeated_bit_for_bit_is_said_to_be()
+    {
+        using TemporaryFolder folder = new();
+
+        LabProcess lab = LabProcess.Run(folder.Path, "compare", TestData.Physx("c_all_keys.json"));
+
+        Assert.That(lab.ExitCode, Is.Zero, lab.Error);
+        Assert.That(lab.Output, Does.Contain("bit for bit"));
+    }
+
+    [Test]
+    public void A_recording_that_parts_is_said_where_and_exits_with_1()
+    {
+        using TemporaryFolder folder = new();
+
+        LabProcess lab = LabProcess.Run(folder.Path, "compare", TestData.Physx("d_intermediate_gyro_on.json"));
+
+        Assert.That(lab.ExitCode, Is.EqualTo(1));
+        // one last bit of a sine, as the notes beside the recordings say
+        Assert.That(lab.Output, Does.Contain("step 1659"));
+        Assert.That(lab.Error, Does.StartWith("error: ").And.Contain("tolerance"));
+    }
+
+    [Test]
+    public void Help_names_the_commands_and_version_is_the_packages()
+    {
+        using TemporaryFolder folder = new();
+
+        LabProcess help = LabProcess.Run(folder.Path, "--help"), version = LabProcess.Run(folder.Path, "--version");
+
+        Assert.That(help.Output, Does.Contain("compare").And.Contain("run").And.Contain("integrators"));
+        Assert.That(help.ExitCode, Is.Zero);
+        Assert.That(version.Output.Trim(), Does.Match(@"^0\.1\.0(\+[0-9a-f]+)?$"));
+    }
+
+    [Test]
+    public void Integrators_are_those_of_the_catalogue()
+    {
+        using TemporaryFolder folder = new();
+
+        LabProcess json = LabProcess.Run(folder.Path, "integrators", "--json"), table = LabProcess.Run(folder.Path, "integrators");
+
+        using JsonDocument rows = JsonDocument.Parse(json.Output);
+        string[] names = [.. Catalogue.Rows.Select(row => row.Name)];
+        Assert.That(rows.RootElement.EnumerateArray().Select(row => row.GetProperty("name").GetString()), Is.EqualTo(names));
+        Assert.That(names.All(table.Output.Contains), Is.True);
+    }
+}

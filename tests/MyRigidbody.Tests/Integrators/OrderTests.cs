@@ -1,0 +1,78 @@
+using NUnit.Framework;
+
+namespace RigidBodyDynamics.Tests;
+
+/// <summary>The order that the catalogue declares is the order that is observed, where the rule converges at all.</summary>
+public class OrderTests
+{
+    // where a rule is exact there is no order to see
+    private const double Exact = 1e-11;
+
+    private static IEnumerable<string> Rows => Catalogue.Rows.Select(row => row.Name);
+
+    // measured: 1.00 for each
+    [TestCaseSource(nameof(Rows))]
+    public void Rotation_of_a_cube_under_the_key_R_converges_with_the_declared_order(string integrator)
+    {
+        ExactCase.Sample end = ExactCase.Read("cube_sin_torque").Samples[^1];
+        Quaterniond closedForm = Quaterniond.FromAxisAngle(new Vector3d(1, 1, 1), 6 * Math.Sqrt(3) * (10 - Math.Sin(10)));
+        Assert.That(Conserved.AngleBetween(closedForm, end.Orientation), Is.LessThan(1e-12)); // measured 3e-14
+
+        AssertOrder(integrator, 10, body => body.With(new Key(LabKey.R)), state => Math.Max(
+            Conserved.AngleBetween(state.Orientation, closedForm), Samples.Apart(state.AngularVelocity, end.AngularVelocity)));
+    }
+
+    // measured: 1.00 for each
+    [TestCaseSource(nameof(Rows))]
+    public void Fall_under_a_constant_force_converges_with_the_declared_order(string integrator) => AssertOrder(
+        integrator,
+        2,
+        body => body.With(new Force(new Vector3d(3, 0, 0))).With(new Gravity(new Vector3d(0, -9.81, 0))),
+        // x = F t²/2m, y = −g t²/2, v = F t/m
+        state => Samples.Apart(state.Position, new Vector3d(3, -9.81, 0) * 2) + Samples.Apart(state.Velocity, new Vector3d(3, -9.81, 0) * 2));
+
+    [Test]
+    public void Names_are_unique_found_exactly_as_written_and_default_to_one_of_them()
+    {
+        Assert.That(Rows, Is.Unique);
+        foreach (CatalogueRow row in Catalogue.Rows)
+        {
+            Assert.That(Catalogue.Find(row.Name), Is.SameAs(row));
+            Assert.That((row.Order >= 1, Enum.IsDefined(row.Cost), row.About.Length > 0, row.About.Contains('\n')), Is.EqualTo((true, true, true, false)));
+        }
+
+        Assert.That(Catalogue.Rows, Does.Contain(Catalogue.Default));
+        Assert.That(() => Catalogue.Find("labeuler"), Throws.InstanceOf<ArgumentOutOfRangeException>().With.Message.Contains("labeuler"));
+    }
+
+    private static void AssertOrder(string integrator, double time, Action<BodyDescription> describe, Func<BodyState, double> error)
+    {
+        int order = Catalogue.Find(integrator).Order;
+        // far enough down that a small term of the declared order is not hidden by a large one of the next
+        int steps = order == 1 ? 64_000 : 4000 / (order * order);
+        double coarse = Error(steps), fine = Error(2 * steps);
+        double observed = Math.Log2(coarse / fine);
+        TestContext.Out.WriteLine(FormattableString.Invariant($"errors {coarse:g3} and {fine:g3}, order {observed:f3}"));
+        if (coarse > Exact)
+            Assert.That(observed, Is.EqualTo(order).Within(0.2));
+        else
+            Assert.That(fine, Is.LessThan(Exact));
+
+        double Error(int count)
+        {
+            BodyDescription body = new("cube", Solids.Box(1, new Vector3d(1, 1, 1)))
+            {
+                Integrator = integrator,
+                Unity = new UnitySettings
+                {
+                    AngularDrag = 0,
+                    MaxAngularVelocity = double.PositiveInfinity,
+                    SleepThreshold = 0,
+                    InDouble = true,
+                },
+            };
+            describe(body);
+            return error(Scenery.Run(TimeSteps.Every(time / count, count), body, count));
+        }
+    }
+}

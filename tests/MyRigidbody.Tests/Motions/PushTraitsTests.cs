@@ -1,0 +1,79 @@
+using NUnit.Framework;
+
+namespace RigidBodyDynamics.Tests;
+
+/// <summary>What a push says of itself is true: an integrator may leave out what is not declared.</summary>
+public class PushTraitsTests
+{
+    private static readonly PushTraits[] Reads =
+    [
+        PushTraits.ReadsTime, PushTraits.ReadsPosition, PushTraits.ReadsOrientation, PushTraits.ReadsVelocity, PushTraits.ReadsAngularVelocity,
+    ];
+
+    [Test]
+    public void Every_push_of_the_library_is_tried_here()
+    {
+        IEnumerable<string> written = typeof(IPush).Assembly.GetTypes()
+            .Where(t => t.IsValueType && typeof(IPush).IsAssignableFrom(t)).Select(t => t.Name);
+        IEnumerable<string> tried = Pushes.All().Select(c => c.Arguments[0]!.GetType().Name).Distinct();
+        Assert.That(tried, Is.EquivalentTo(written));
+    }
+
+    [TestCaseSource(typeof(Pushes), nameof(Pushes.All))]
+    public void Push_depends_on_nothing_that_it_does_not_declare(IPush push)
+    {
+        foreach (PushTraits read in Reads.Where(r => (push.Traits & r) == 0))
+            Assert.That(Changes(push, read), Is.False, read.ToString());
+    }
+
+    [TestCaseSource(typeof(Pushes), nameof(Pushes.All))]
+    public void Push_depends_on_all_that_it_declares(IPush push)
+    {
+        foreach (PushTraits read in Reads.Where(r => (push.Traits & r) != 0))
+            Assert.That(Changes(push, read), Is.True, read.ToString());
+    }
+
+    [TestCaseSource(typeof(Pushes), nameof(Pushes.All))]
+    public void Push_moves_and_turns_if_and_only_if_it_declares_so(IPush push)
+    {
+        foreach (Wrench wrench in new[] { Pushes.At(push, Pushes.Now, Pushes.State), Pushes.Over(push, Pushes.Now, 0.1, Pushes.State) })
+        {
+            Assert.That(!wrench.Force.IsZero, Is.EqualTo((push.Traits & PushTraits.Moves) != 0));
+            Assert.That(!(wrench.Torque.IsZero && wrench.BodyTorque.IsZero), Is.EqualTo((push.Traits & PushTraits.Turns) != 0));
+        }
+    }
+
+    // true if another time, position, ... gives another push
+    private static bool Changes(IPush push, PushTraits read)
+    {
+        Instant now = Pushes.Now;
+        BodyState state = Pushes.State;
+        switch (read)
+        {
+            case PushTraits.ReadsTime when push is HeldBy:
+                // what is held changes with time, not with the number of the step
+                return ChangesWithTheHand();
+            case PushTraits.ReadsTime: now = new Instant(2, 1.9); break;
+            case PushTraits.ReadsPosition: state.Position += new Vector3d(0.3, -2, 1); break;
+            case PushTraits.ReadsOrientation: state.Orientation = new Quaterniond(0.1, 0.7, 0.7, -0.1); break;
+            case PushTraits.ReadsVelocity: state.Velocity += new Vector3d(0.3, -2, 1); break;
+            default: state.AngularVelocity += new Vector3d(0.3, -2, 1); break;
+        }
+
+        bool same = Equals(Pushes.At(push, now, state), Pushes.At(push, Pushes.Now, Pushes.State))
+            && Equals(Pushes.Over(push, now, 0.1, state), Pushes.Over(push, Pushes.Now, 0.1, Pushes.State));
+        return !same;
+    }
+
+    private static bool ChangesWithTheHand()
+    {
+        Hand hand = new() { Force = new Vector3d(1, 0, 0), Torque = new Vector3d(0, 1, 0) };
+        HeldBy held = new(hand);
+        Wrench before = Pushes.At(held, Pushes.Now, Pushes.State);
+        hand.Force = new Vector3d(2, 0, 0);
+        Wrench moved = Pushes.At(held, Pushes.Now, Pushes.State);
+        hand.Torque = Vector3d.Zero;
+        Wrench turned = Pushes.At(held, Pushes.Now, Pushes.State);
+        return !Equals(before, moved) && !Equals(moved, turned);
+    }
+}

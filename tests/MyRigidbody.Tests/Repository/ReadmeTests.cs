@@ -1,0 +1,67 @@
+using System.Globalization;
+using NUnit.Framework;
+using RigidBodyDynamics.Lab;
+using RigidBodyDynamics.Lab.Comparison;
+
+namespace RigidBodyDynamics.Tests.Repository;
+
+/// <summary>What the README says is what the program does.</summary>
+public sealed class ReadmeTests
+{
+    [Test]
+    public void Table_of_rules_is_what_compare_finds()
+    {
+        SceneFile lab = SceneReader.Read(Gallery.Lab);
+        RuleShares found = RuleShares.Of(Pair.Of(lab)[0], lab.Scene.Steps);
+        List<string> expected = [.. found.Shares.Select(share => string.Create(
+            CultureInfo.InvariantCulture,
+            $"{share.Rule.Name}|{Percent(share.Distance / found.Whole.MeanDistance)}|{Percent(share.Turn / found.Whole.MeanTurn)}"))];
+        expected.Add(string.Create(
+            CultureInfo.InvariantCulture,
+            $"all|{found.Whole.MeanDistance:F3} m|{found.Whole.MeanTurn * 180 / Math.PI:F0}°"));
+
+        string[] rows = [.. Between("<!-- compare lab.json -->", "<!-- end -->")
+            .Skip(2)
+            .Select(line => line.Split('|', StringSplitOptions.TrimEntries))
+            .Select(cells => $"{cells[1]}|{cells[4]}|{cells[5]}")];
+
+        Assert.That(rows, Is.EqualTo(expected));
+    }
+
+    [Test]
+    public void Example_of_the_library_compiles_and_moves_the_cube()
+    {
+        // begin
+        Hand hand = new Hand();
+        BodyDescription cube = new BodyDescription("cube", Solids.Box(1, new Vector3d(1, 2, 3)))
+            .With(new Gravity(new Vector3d(0, -9.81, 0)))
+            .With(new Torque(Vector3d.Zero, new Vector3d(1, 1, 1), Vector3d.Zero, 1, inBody: false), from: 0, to: 3)
+            .With(new HeldBy(hand));
+        Simulation simulation = new Simulation(TimeSteps.Every(0.02), cube);
+        for (int step = 0; step < 500; step++)
+        {
+            hand.Force = step < 50 ? new Vector3d(5, 0, 0) : Vector3d.Zero;
+            simulation.Step();
+        }
+
+        Console.WriteLine(simulation.Bodies[0].State.Position);
+        // end
+        string own = File.ReadAllText(Root.File("tests/MyRigidbody.Tests/Repository/ReadmeTests.cs"));
+        string example = own[(own.IndexOf("// begin\n", StringComparison.Ordinal) + 9)..own.IndexOf("        // end\n", StringComparison.Ordinal)];
+        string[] lines = [.. example.TrimEnd().Split('\n').Select(line => line.Length > 8 ? line[8..] : line)];
+
+        Assert.That(Between("```csharp", "```"), Is.EqualTo(lines));
+        // x: 50 steps of 0.1 m/s, then 5 m/s: 0.02 (5 · 51 / 2 + 450 · 5) m; y: −9.81 · 0.0004 · 500 · 501 / 2 m
+        Assert.That(simulation.Bodies[0].State.Position.X, Is.EqualTo(0.02 * ((5 * 51 / 2.0) + (450 * 5))).Within(1e-9));
+        Assert.That(simulation.Bodies[0].State.Position.Y, Is.EqualTo(-9.81 * 0.0004 * 500 * 501 / 2).Within(1e-9));
+    }
+
+    private static string Percent(double share)
+    {
+        string percent = (100 * share).ToString("F1", CultureInfo.InvariantCulture).Replace('-', '−');
+        return (percent == "−0.0" ? "0.0" : percent) + " %";
+    }
+
+    private static string[] Between(string begin, string end) =>
+        [.. File.ReadAllLines(Root.File("README.md")).SkipWhile(line => line != begin).Skip(1).TakeWhile(line => line != end)];
+}

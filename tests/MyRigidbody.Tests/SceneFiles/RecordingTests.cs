@@ -1,0 +1,99 @@
+using NUnit.Framework;
+using RigidBodyDynamics.Lab;
+using RigidBodyDynamics.Tests.CommandLine;
+
+namespace RigidBodyDynamics.Tests.SceneFiles;
+
+/// <summary>A recording of a real Rigidbody is a scene.</summary>
+public sealed class RecordingTests
+{
+    // one last bit of a sine, as the notes beside the recordings say
+    private const string Parts = "d_intermediate_gyro_on";
+    private const int PartsAt = 1659;
+
+    private static IEnumerable<string> Names =>
+        Directory.GetFiles(TestData.Physx(string.Empty), "*.json").Select(path => Path.GetFileNameWithoutExtension(path)!).Order();
+
+    [TestCaseSource(nameof(Names))]
+    public void Read_as_a_scene_and_run_it_repeats_what_was_recorded(string name)
+    {
+        SceneFile file = SceneReader.Read(TestData.Physx(name + ".json"));
+        Simulation simulation = new(file.Scene);
+        int rows = name == Parts ? PartsAt : file.Recording!.Rows.Count;
+
+        for (int row = 0; row < rows; row++)
+        {
+            BodyState s = simulation.Bodies[0].State;
+            Quaterniond q = s.Orientation;
+            float[] ours =
+            [
+                (float)s.Position.X, (float)s.Position.Y, (float)s.Position.Z, (float)q.X, (float)q.Y, (float)q.Z, (float)q.W,
+                (float)s.Velocity.X, (float)s.Velocity.Y, (float)s.Velocity.Z,
+                (float)s.AngularVelocity.X, (float)s.AngularVelocity.Y, (float)s.AngularVelocity.Z,
+            ];
+            Assert.That(ours, Is.EqualTo(file.Recording!.Rows[row].Take(ours.Length)), "row " + row);
+            Assert.That(simulation.Bodies[0].IsAsleep, Is.EqualTo(file.Recording.IsAsleep(row)), "row " + row);
+            simulation.Step(row + 1 < file.Recording.Rows.Count ? 1 : 0);
+        }
+
+        Assert.That(file.Recording!.Rows.Count, Is.EqualTo(file.Scene.Steps.Count + 1));
+    }
+
+    [Test]
+    public void All_twenty_three_recordings_are_here() => Assert.That(Names.Count(), Is.EqualTo(23));
+
+    [Test]
+    public void Without_its_CSV_a_recording_can_be_run_but_not_compared()
+    {
+        using TemporaryFolder folder = new();
+        File.Copy(TestData.Physx("g_nudge.json"), folder.File("g.json"));
+
+        LabProcess run = LabProcess.Run(folder.Path, "run", "g.json", "--every", "0"), compare = LabProcess.Run(folder.Path, "compare", "g.json");
+
+        Assert.That(run.ExitCode, Is.Zero, run.Error);
+        Assert.That(compare.ExitCode, Is.EqualTo(2));
+        Assert.That(compare.Error, Does.StartWith("error: g.csv: there is no such file"));
+    }
+
+    [TestCase("\n1,0.0199999996,", "\n1,0.0199999996,x", "line 3: must be finite numbers")]
+    [TestCase("\n2,0.0399999991,", "\n2,0.0399999991,0,", "line 4: must have 17 numbers, found 18")]
+    [TestCase("step,t", "time,t", "line 1: must be step,t,px")]
+    public void A_damaged_CSV_is_refused_with_its_line(string find, string put, string expected)
+    {
+        using TemporaryFolder folder = new();
+        File.Copy(TestData.Physx("g_nudge.json"), folder.File("g.json"));
+        string csv = File.ReadAllText(TestData.Physx("g_nudge.csv"));
+        Assert.That(csv, Does.Contain(find));
+        File.WriteAllText(folder.File("g.csv"), csv.Replace(find, put, StringComparison.Ordinal));
+
+        Assert.That(
+            () => SceneReader.Read(folder.File("g.json")),
+            Throws.TypeOf<InputException>().With.Message.Contains("g.csv: " + expected));
+    }
+
+    [Test]
+    public void A_CSV_that_ends_early_is_refused()
+    {
+        using TemporaryFolder folder = new();
+        File.Copy(TestData.Physx("g_nudge.json"), folder.File("g.json"));
+        File.WriteAllLines(folder.File("g.csv"), File.ReadLines(TestData.Physx("g_nudge.csv")).SkipLast(1));
+
+        Assert.That(
+            () => SceneReader.Read(folder.File("g.json")),
+            Throws.TypeOf<InputException>().With.Message.Contains("must have 501 rows"));
+    }
+
+    [TestCase("\"mass\": 1,", "\"mass\": -1,", "mass: must be finite and above zero, found -1")]
+    [TestCase("\"mass\": 1,", "\"mass\": 1e39,", "mass: must be a number that fits single precision, found 1e39")]
+    [TestCase("\"steps\": 500", "\"steps\": 499", "dt: must have 499 numbers, found 500")]
+    [TestCase("\"useGravity\"", "\"usesGravity\"", "\"useGravity\" is missing")]
+    public void A_damaged_recording_is_refused_by_place_and_value(string find, string put, string expected)
+    {
+        using TemporaryFolder folder = new();
+        string json = File.ReadAllText(TestData.Physx("g_nudge.json"));
+        Assert.That(json, Does.Contain(find));
+        File.WriteAllText(folder.File("g.json"), json.Replace(find, put, StringComparison.Ordinal));
+
+        Assert.That(() => SceneReader.Read(folder.File("g.json")), Throws.TypeOf<InputException>().With.Message.EndsWith(expected));
+    }
+}

@@ -1,0 +1,71 @@
+using NUnit.Framework;
+
+namespace RigidBodyDynamics.Tests.SceneFiles;
+
+/// <summary>What a user reads who made a mistake: the place, the rule, the value.</summary>
+public sealed class SceneErrorTests
+{
+    private const string Head = """{ "schema": "rigid-body-scene/1", "name": "n", "step": 0.1, "steps": 3, "bodies": [ { "name": "b", """;
+
+    [TestCase("", "scene.json: line 1, column 1: ")]
+    [TestCase("{", "scene.json: line 1, column 2: ")]
+    [TestCase("[]", "scene.json: must be an object { … }, found []")]
+    [TestCase("{}", "scene.json: \"schema\" is missing")]
+    [TestCase("""{ "schema": "rigid-body-scene/2" }""", "scene.json: schema: must be one of \"rigid-body-scene/1\", \"free-rigid-body/1\", found \"rigid-body-scene/2\"")]
+    [TestCase("""{ "schema": "rigid-body-scene/1", "name": 3 }""", "scene.json: name: must be a text, found 3")]
+    [TestCase("""{ "schema": "rigid-body-scene/1", "name": "n", "name": "m" }""", "scene.json: Duplicate property 'name'")]
+    [TestCase("""{ "schema": "rigid-body-scene/1", "name": "n", "step": 0.1, "bodies": [] }""", "scene.json: \"duration\" or \"steps\" is missing")]
+    [TestCase("""{ "schema": "rigid-body-scene/1", "name": "n", "step": 0, "steps": 1, "bodies": [] }""", "scene.json: step: must be above zero and at most 1e9 s, found 0")]
+    [TestCase("""{ "schema": "rigid-body-scene/1", "name": "n", "step": [0.1, -1], "bodies": [] }""", "scene.json: step[1]: must be above zero and at most 1e9 s, found -1")]
+    [TestCase("""{ "schema": "rigid-body-scene/1", "name": "n", "step": 1e300, "steps": 1, "bodies": [] }""", "scene.json: step: must be above zero and at most 1e9 s, found 1E+300")]
+    [TestCase("""{ "schema": "rigid-body-scene/1", "name": "n", "step": 1e999, "steps": 1, "bodies": [] }""", "scene.json: step: must be a number that fits double precision, found 1e999")]
+    [TestCase("""{ "schema": "rigid-body-scene/1", "name": "n", "step": 1, "steps": 1.5, "bodies": [] }""", "scene.json: steps: must be a whole number from 1, found 1.5")]
+    [TestCase("""{ "schema": "rigid-body-scene/1", "name": "n", "step": 1, "duration": -2, "bodies": [] }""", "scene.json: duration: must be finite and above zero, found -2")]
+    [TestCase("""{ "schema": "rigid-body-scene/1", "name": "n", "step": 1, "steps": 1, "bodies": [] }""", "scene.json: bodies: must have at least one body")]
+    [TestCase("""{ "schema": "rigid-body-scene/1", "name": "n", "step": 1, "steps": 1, "bodys": [], "bodies": [] }""", "scene.json: bodys: is not a name known here; known are schema, name, about, $schema, step, duration, steps, bodies")]
+    [TestCase(Head + """ }, { "name": "b" } ] }""", "scene.json: bodies[1]: name: must be unique in the scene, found \"b\" again")]
+    [TestCase(Head + """ "integrator": "Eulr" } ] }""", "scene.json: bodies[0].integrator: must be one of ExplicitEuler, LabEuler, UnityRigidbody, found Eulr")]
+    [TestCase(Head + """ "mass": 0 } ] }""", "scene.json: bodies[0].mass: must be finite and above zero, found 0")]
+    [TestCase(Head + """ "mass": "heavy" } ] }""", "scene.json: bodies[0].mass: must be a number, found \"heavy\"")]
+    [TestCase(Head + """ "mass": NaN } ] }""", "scene.json: line 1, column")]
+    [TestCase(Head + """ "inertia": { } } ] }""", "scene.json: bodies[0].inertia: must have exactly one of solidBox, boxVertices, solidSphere, points, principal, found none")]
+    [TestCase(Head + """ "inertia": { "cone": 1 } } ] }""", "scene.json: bodies[0].inertia.cone: is not a name known here")]
+    [TestCase(Head + """ "inertia": { "solidBox": [1, 1] } } ] }""", "scene.json: bodies[0].inertia.solidBox: must be three numbers [x, y, z], found [1, 1]")]
+    [TestCase(Head + """ "inertia": { "principal": [1, 1, 3] } } ] }""", "scene.json: bodies[0].inertia.principal: no moment can exceed the sum of the other two, found (1, 1, 3)")]
+    [TestCase(Head + """ "inertia": { "principal": [1, -1, 1] } } ] }""", "scene.json: bodies[0].inertia.principal: must have finite components above zero, found (1, -1, 1)")]
+    [TestCase(Head + """ "inertia": { "points": [[0, 0, 0], [1, 0, 0]] } } ] }""", "scene.json: bodies[0].inertia: must have finite components above zero, found (0, 0.25, 0.25)")]
+    [TestCase(Head + """ "inertia": { "points": [[0, 0, 0]], "masses": [1, 2] } } ] }""", "scene.json: bodies[0].inertia.masses: must be as many as there are points (1), at least one, found 2")]
+    [TestCase(Head + """ "orientation": [0, 0, 0, 0] } ] }""", "scene.json: bodies[0].orientation: must be a quaternion")]
+    [TestCase(Head + """ "velocity": [1, 0, 0], "canMove": false } ] }""", "scene.json: bodies[0].velocity: must be zero where canMove is false, found (1, 0, 0)")]
+    [TestCase(Head + """ "canTurn": 1 } ] }""", "scene.json: bodies[0].canTurn: must be true or false, found 1")]
+    [TestCase(Head + """ "unity": { } } ] }""", "scene.json: bodies[0].unity: is for UnityRigidbody only, and this body moves by LabEuler")]
+    [TestCase(Head + """ "integrator": "UnityRigidbody", "unity": { "drag": -1 } } ] }""", "scene.json: bodies[0].unity.drag: must be finite and not below zero, found -1")]
+    [TestCase(Head + """ "effects": [ { "gravity": [0, 1, 0], "force": [0, 1, 0] } ] } ] }""", "scene.json: bodies[0].effects[0]: must have exactly one effect, found gravity, force; effects are gravity, ")]
+    [TestCase(Head + """ "effects": [ { "from": 1 } ] } ] }""", "scene.json: bodies[0].effects[0]: must have exactly one effect, found none")]
+    [TestCase(Head + """ "effects": [ { "wind": 1 } ] } ] }""", "scene.json: bodies[0].effects[0].wind: is not an effect; effects are gravity, ")]
+    [TestCase(Head + """ "effects": [ { "x.force": [1, 0, 0] } ] } ] }""", "scene.json: bodies[0].effects[0].x.force: is not an effect")]
+    [TestCase(Head + """ "effects": [ { "gravity": [0, 1, 0], "from": "soon" } ] } ] }""", "scene.json: bodies[0].effects[0].from: must be a number, found \"soon\"")]
+    [TestCase(Head + """ "effects": [ { "gravity": [0, 1, 0], "from": 2, "to": 1 } ] } ] }""", "scene.json: bodies[0].effects[0].to: must be later than from, found 1")]
+    [TestCase(Head + """ "effects": [ { "key": "Space" } ] } ] }""", "scene.json: bodies[0].effects[0].key: must be one of \"LeftArrow\", \"RightArrow\", \"UpArrow\", \"DownArrow\", \"R\", found \"Space\"")]
+    [TestCase(Head + """ "effects": [ { "linearDamping": -1 } ] } ] }""", "scene.json: bodies[0].effects[0].linearDamping: must be finite and not below zero, found -1")]
+    [TestCase(Head + """ "effects": [ { "decayPerStep": { "linear": 1.5 } } ] } ] }""", "scene.json: bodies[0].effects[0].decayPerStep.linear: must be a factor from 0 to 1, found 1.5")]
+    [TestCase(Head + """ "effects": [ { "heavyTop": { "axis": [0, 0, 0], "moment": 1, "up": [0, 1, 0] } } ] } ] }""", "scene.json: bodies[0].effects[0].heavyTop: must be finite and above zero, found 0")]
+    [TestCase(Head + """ "effects": [ { "perStep": { }, "from": 1 } ] } ] }""", "scene.json: bodies[0].effects[0].from: must not stand beside perStep")]
+    [TestCase(Head + """ "a\nb": 1 } ] }""", "scene.json: bodies[0].a b: is not a name known here")]
+    [TestCase(Head + """ "integrator": "\ud800" } ] }""", "scene.json: has a name or text that is not valid Unicode")]
+    public void The_error_names_place_rule_and_value(string text, string expected)
+    {
+        string error = SceneText.Error(text);
+
+        Assert.That(error, Does.StartWith(expected));
+        Assert.That(error, Does.Not.Contain("\n"));
+    }
+
+    [Test]
+    public void Mass_that_is_not_the_sum_of_the_masses_is_refused()
+    {
+        string text = Head + """ "mass": 3, "inertia": { "points": [[0, 0, 0], [1, 0, 0], [0, 1, 0]], "masses": [1, 2, 3] } } ] }""";
+
+        Assert.That(SceneText.Error(text), Is.EqualTo("scene.json: bodies[0].mass: must be the sum of the masses, 6, found 3"));
+    }
+}

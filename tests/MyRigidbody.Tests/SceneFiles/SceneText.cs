@@ -1,0 +1,65 @@
+using System.Text.Json;
+using System.Text.Json.Nodes;
+using RigidBodyDynamics.Lab;
+using RigidBodyDynamics.Tests.CommandLine;
+
+namespace RigidBodyDynamics.Tests.SceneFiles;
+
+/// <summary>Scenes as text, and what the reader says of them.</summary>
+internal static class SceneText
+{
+    /// <summary>A scene with every name of the format in it.</summary>
+    public const string Everything = """
+        {
+          "$schema": "rigid-body-scene-1.schema.json", "schema": "rigid-body-scene/1",
+          "name": "all", "about": "every name", "step": 0.01, "duration": 0.5,
+          "bodies": [
+            { "name": "a", "integrator": "LabEuler", "mass": 2, "inertia": { "boxVertices": [1, 2, 3] }, "centerOfMass": [0.1, 0, 0],
+              "position": [1, 2, 3], "orientation": [1, 0, 0, 1], "velocity": [1, 0, 0], "angularVelocity": [0, 1, 0],
+              "canMove": true, "canTurn": true, "lab": { "normalise": true, "unitRotation": true },
+              "effects": [
+                { "gravity": [0, -9.81, 0], "from": 0, "to": 0.25 }, { "force": [1, 0, 0] }, { "key": "UpArrow", "from": 0.1 },
+                { "torque": { "frame": "body", "constant": [1, 0, 0], "sin": [0, 1, 0], "cos": [0, 0, 1], "rate": 2 } },
+                { "linearDamping": 0.1 }, { "angularDamping": 0.2 }, { "quadraticDrag": 0.3 }, { "decayPerStep": 0.98 },
+                { "decayPerStep": { "linear": 0.99, "angular": 0.98 } },
+                { "spring": { "anchor": [0, 1, 0], "at": [0, 2, 0], "stiffness": 3 } },
+                { "heavyTop": { "axis": [0, 0, 1], "moment": 3, "up": [0, 1, 0] } },
+                { "perStep": { "force": [[1, 0, 0]], "torque": [[0, 1, 0], [0, 0, 1]] } }
+              ] },
+            { "name": "b", "integrator": "UnityRigidbody", "inertia": { "principal": [1, 2, 3], "frame": [1, 1, 0, 0] }, "angularVelocityBody": [1, 2, 3],
+              "unity": { "drag": 0.1, "angularDrag": 0.2, "maxAngularVelocity": 9, "sleepThreshold": 0.01, "wakeCounter": 0.2,
+                         "gyroscopicForces": true, "precision": "double" } },
+            { "name": "c", "inertia": { "solidSphere": 0.5 } },
+            { "name": "d", "inertia": { "solidBox": [1, 1, 2] } },
+            { "name": "e", "inertia": { "points": [[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]], "masses": [1, 2, 3, 4] } }
+          ]
+        }
+        """;
+
+    /// <summary>The scene as a tree that can be changed.</summary>
+    public static JsonNode Tree(string text = Everything) =>
+        JsonNode.Parse(text, null, new JsonDocumentOptions { AllowTrailingCommas = true, CommentHandling = JsonCommentHandling.Skip })!;
+
+    /// <summary>Reads a text as the file "scene.json" of some folder.</summary>
+    public static SceneFile Read(string text)
+    {
+        using TemporaryFolder folder = new();
+        string path = folder.File("scene.json");
+        File.WriteAllText(path, text);
+        return SceneReader.Read(path);
+    }
+
+    /// <summary>What the reader says of a text, without the folder; empty if it accepts it.</summary>
+    public static string Error(string text)
+    {
+        try
+        {
+            Read(text);
+            return string.Empty;
+        }
+        catch (InputException refused)
+        {
+            return refused.Message[refused.Message.IndexOf("scene.json", StringComparison.Ordinal)..];
+        }
+    }
+}
