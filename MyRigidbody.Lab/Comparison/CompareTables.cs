@@ -15,12 +15,15 @@ internal static class CompareTables
     {
         List<IRenderable> parts =
         [
-            new Text($"{found.Pair.Mine.Name} ({found.Pair.Mine.Integrator}) beside {found.Pair.Default.Name} ({found.Pair.Default.Integrator})"),
+            new Text($"{found.Pair.Mine.Name} ({found.Pair.Mine.Integrator}) beside {found.Pair.Default.Name} ({found.Pair.Default.Integrator}), in s, m, rad/s, °"),
             Motion(found),
-            new Text("Why they part: the rules of DefaultRigidbody, put in one after another"),
-            Rules(found.Shares),
-            new Text("share: how far the exchange moves the body on the way from mine to Unity's, on average over the run; below zero where"),
-            new Text("it takes back what another gives. alone: how far mine moves if only this rule is exchanged. turn: whole turns counted."),
+            new Text("Why they part: what is different"),
+            Differences(found.Shares),
+            new Text("and how much of it each rule makes, put in one after another"),
+            Shares(found.Shares),
+            new Text("share: how far the exchange moves the body on the way from mine to Unity's, on average "
+                + "over the run; below zero where it takes back what another gives. "
+                + "alone: how far mine moves if only this rule is exchanged. turn: whole turns counted."),
             new Text(Environment.NewLine + InWords(found)),
         ];
         if (found.FrameRates.Count > 0)
@@ -44,7 +47,7 @@ internal static class CompareTables
 
     private static Table Motion(Findings found)
     {
-        Table table = Terminal.NewTable("t, s", "mine: position, m", "spin, rad/s", "Unity's: position, m", "spin, rad/s", "apart, m", "angle, °");
+        Table table = Terminal.NewTable("t", "mine at", "spin", "Unity's at", "spin", "apart", "angle");
         foreach (int column in new[] { 0, 2, 4, 5, 6 })
         {
             table.Columns[column].RightAligned();
@@ -58,9 +61,9 @@ internal static class CompareTables
                 table,
                 Fixed(row.Apart.Time, 2),
                 Position(row.Mine.Position),
-                Fixed(row.Mine.AngularVelocity.Length, 3),
+                Fixed(row.Mine.AngularVelocity.Length, 2),
                 Position(row.Default.Position),
-                Fixed(row.Default.AngularVelocity.Length, 3),
+                Fixed(row.Default.AngularVelocity.Length, 2),
                 Length(row.Apart.Distance),
                 Degrees(row.Apart.Angle));
         }
@@ -68,12 +71,23 @@ internal static class CompareTables
         return table;
     }
 
-    private static Table Rules(RuleShares found)
+    private static Table Differences(RuleShares found)
     {
-        Table table = Terminal.NewTable("rule", "mine", "Unity's", "share of distance", "", "share of turn", "", "alone, m", "turn alone");
-        foreach (int column in Enumerable.Range(3, 6))
+        Table table = Terminal.NewTable("rule", "mine", "Unity's");
+        foreach (RuleShare share in found.Shares)
         {
-            table.Columns[column].RightAligned();
+            Add(table, share.Rule.Name, share.Rule.Mine, share.Rule.Unitys);
+        }
+
+        return table;
+    }
+
+    private static Table Shares(RuleShares found)
+    {
+        Table table = Terminal.NewTable("rule", "share of distance", "share of turn", "alone");
+        foreach (TableColumn column in table.Columns.Skip(1))
+        {
+            column.RightAligned();
         }
 
         foreach (RuleShare share in found.Shares)
@@ -81,34 +95,23 @@ internal static class CompareTables
             Add(
                 table,
                 share.Rule.Name,
-                share.Rule.Mine,
-                share.Rule.Unitys,
-                Length(share.Distance) + " m",
-                Percent(share.Distance, found.Whole.MeanDistance),
-                Degrees(share.Turn) + "°",
-                Percent(share.Turn, found.Whole.MeanTurn),
-                Length(share.Alone.MeanDistance),
-                Degrees(share.Alone.MeanTurn) + "°");
+                $"{Length(share.Distance)} m {Percent(share.Distance, found.Whole.MeanDistance),8}",
+                $"{Degrees(share.Turn)}° {Percent(share.Turn, found.Whole.MeanTurn),8}",
+                $"{Length(share.Alone.MeanDistance)} m {Degrees(share.Alone.MeanTurn),8}°");
         }
 
-        table.AddEmptyRow();
         Add(
             table,
             "all",
-            string.Empty,
-            string.Empty,
-            Length(found.Shares.Sum(share => share.Distance)) + " m",
-            "100 %",
-            Degrees(found.Shares.Sum(share => share.Turn)) + "°",
-            "100 %",
-            string.Empty,
+            $"{Length(found.Shares.Sum(share => share.Distance))} m {Percent(found.Whole.MeanDistance, found.Whole.MeanDistance),8}",
+            $"{Degrees(found.Shares.Sum(share => share.Turn))}° {Percent(found.Whole.MeanTurn, found.Whole.MeanTurn),8}",
             string.Empty);
         return table;
     }
 
     private static Table FrameRates(IReadOnlyList<FrameRate> rates)
     {
-        Table table = Terminal.NewTable("frames a second", "push of the arrows ×", "turn of \"r\" ×", "apart at the end, m", "turned apart at the end, °");
+        Table table = Terminal.NewTable("frames a second", "arrows push ×", "\"r\" turns ×", "apart at the end", "turned apart");
         foreach (TableColumn column in table.Columns)
         {
             column.RightAligned();
@@ -121,8 +124,8 @@ internal static class CompareTables
                 rate.FramesPerSecond.ToString(CultureInfo.InvariantCulture),
                 Ratio(rate.Impulse),
                 Ratio(rate.AngularImpulse),
-                Length(rate.Apart.Last.Distance),
-                Degrees(rate.Apart.Last.Turn));
+                Length(rate.Apart.Last.Distance) + " m",
+                Degrees(rate.Apart.Last.Turn) + "°");
         }
 
         return table;
@@ -138,20 +141,25 @@ internal static class CompareTables
 
     private static void Add(Table table, params string[] cells) => table.AddRow(cells.Select(cell => new Text(cell)));
 
-    private static string Position(Vector3d p) => $"({Fixed(p.X, 3)}, {Fixed(p.Y, 3)}, {Fixed(p.Z, 3)})";
+    private static string Position(Vector3d p) => $"{Fixed(p.X, 2)} {Fixed(p.Y, 2)} {Fixed(p.Z, 2)}";
 
     private static string Length(double metres) =>
-        metres != 0 && Math.Abs(metres) < 5e-4 ? metres.ToString("0.0e+0", CultureInfo.InvariantCulture) : Fixed(metres, 3);
+        metres != 0 && Math.Abs(metres) < 5e-4 && Math.Abs(metres) >= 1e-9 ? metres.ToString("0.0e+0", CultureInfo.InvariantCulture) : Fixed(metres, 3);
 
     private static string Degrees(double angle)
     {
         double degrees = angle * 180 / Math.PI;
-        return degrees != 0 && Math.Abs(degrees) < 5e-3 ? degrees.ToString("0.0e+0", CultureInfo.InvariantCulture) : Fixed(degrees, Math.Abs(degrees) < 1000 ? 2 : 0);
+        return degrees != 0 && Math.Abs(degrees) < 5e-3 && Math.Abs(degrees) >= 1e-9 ? degrees.ToString("0.0e+0", CultureInfo.InvariantCulture) : Fixed(degrees, Math.Abs(degrees) < 1000 ? 2 : 0);
     }
 
     private static string Percent(double part, double whole) => whole > 0 ? Fixed(100 * part / whole, 1) + " %" : "–";
 
     private static string Ratio(double ratio) => Guard.IsFinite(ratio) ? Fixed(ratio, 2) : "–";
 
-    private static string Fixed(double value, int digits) => value.ToString("F" + digits, CultureInfo.InvariantCulture);
+    private static string Fixed(double value, int digits)
+    {
+        double rounded = Math.Round(value, digits);
+        // no minus before a zero
+        return (rounded == 0 ? 0 : rounded).ToString("F" + digits, CultureInfo.InvariantCulture);
+    }
 }

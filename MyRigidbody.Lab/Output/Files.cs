@@ -15,6 +15,7 @@ internal sealed class Files : IDisposable
         _name = name;
         _folder = Path.GetFullPath(folder);
         Try(() => Directory.CreateDirectory(_folder));
+        AppDomain.CurrentDomain.ProcessExit += (_, _) => Dispose();
     }
 
     /// <summary>Writes one file, by a function that is given the path to write to.</summary>
