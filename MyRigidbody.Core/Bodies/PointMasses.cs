@@ -13,9 +13,7 @@ namespace RigidBodyDynamics
             Guard.Positive(mass, nameof(mass));
             double[] masses = new double[Guard.NotNull(points, nameof(points)).Count];
             for (int i = 0; i < masses.Length; i++)
-            {
                 masses[i] = mass / masses.Length;
-            }
 
             return Of(points, masses);
         }
@@ -28,9 +26,7 @@ namespace RigidBodyDynamics
             Guard.NotNull(points, nameof(points));
             Guard.NotNull(masses, nameof(masses));
             if (points.Count == 0 || points.Count != masses.Count)
-            {
                 throw Guard.Refused(nameof(masses), masses.Count, "must be as many as there are points (" + points.Count + "), at least one");
-            }
 
             Compound compound = new Compound();
             for (int i = 0; i < points.Count; i++)

@@ -58,10 +58,8 @@ namespace RigidBodyDynamics
         {
             private readonly string _line;
 
-            public RefusedException(string name, object value, string rule) : base(name, value, rule)
-            {
+            public RefusedException(string name, object value, string rule) : base(name, value, rule) =>
                 _line = (name + ": " + rule).Replace('\r', ' ').Replace('\n', ' ');
-            }
 
             public override string Message => _line;
         }

@@ -25,9 +25,7 @@ namespace RigidBodyDynamics
             foreach (CatalogueRow row in Rows)
             {
                 if (row.Name == name)
-                {
                     return row;
-                }
             }
 
             throw Guard.Refused("integrator", name, "must be one of " + string.Join(", ", Names()));
@@ -36,9 +34,7 @@ namespace RigidBodyDynamics
         private static IEnumerable<string> Names()
         {
             foreach (CatalogueRow row in Rows)
-            {
                 yield return row.Name;
-            }
         }
     }
 }

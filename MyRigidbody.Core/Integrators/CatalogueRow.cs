@@ -39,9 +39,7 @@ namespace RigidBodyDynamics
     /// <summary>A row whose rule is the struct <typeparamref name="TIntegrator"/>.</summary>
     internal sealed class CatalogueRow<TIntegrator> : CatalogueRow where TIntegrator : struct, IIntegrator
     {
-        public CatalogueRow(string name, int order, Cost cost, string about) : base(name, order, cost, about)
-        {
-        }
+        public CatalogueRow(string name, int order, Cost cost, string about) : base(name, order, cost, about) { }
 
         internal override Body Build(BodyDescription description, TimeSteps steps) => new Body<TIntegrator>(description, steps);
     }
@@ -49,16 +47,12 @@ namespace RigidBodyDynamics
     /// <summary>The row whose rule is chosen by the body's own precision.</summary>
     internal sealed class UnityRow : CatalogueRow
     {
-        public UnityRow(string name, int order, Cost cost, string about) : base(name, order, cost, about)
-        {
-        }
+        public UnityRow(string name, int order, Cost cost, string about) : base(name, order, cost, about) { }
 
         internal override Body Build(BodyDescription description, TimeSteps steps)
         {
             if (description.Unity.InDouble)
-            {
                 return new Body<UnityRigidbody<ToDouble>>(description, steps);
-            }
 
             return new Body<UnityRigidbody<ToSingle>>(description, steps);
         }

@@ -49,9 +49,7 @@ namespace RigidBodyDynamics
 
             // 1. velocity: v = v + Δt (F / m + g)
             if (_canMove)
-            {
                 v = v + dt * (load.Force / _mass.Mass + _gravity);
-            }
 
             // 2. angular velocity: ω = ω + Δt I⁻¹ τ with I = R I_ref Rᵀ
             if (_canTurn && (push.Traits & PushTraits.Turns) != 0)
@@ -63,9 +61,7 @@ namespace RigidBodyDynamics
 
             // 3. position: x = x + Δt v
             if (_canMove)
-            {
                 x = x + dt * (xFromOldVelocity ? oldV : v);
-            }
 
             // 4. orientation: q = q + [0, ½ Δt ω] · q, then back to length 1
             if (_canTurn)

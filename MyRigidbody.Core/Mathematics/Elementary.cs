@@ -81,9 +81,7 @@ namespace RigidBodyDynamics
         public static double Exp(double x)
         {
             if (!(Math.Abs(x) < 1100))
-            {
                 return x < 0 ? 0 : (x > 0 ? double.PositiveInfinity : x);
-            }
 
             double n = Math.Floor(x * OneOverLn2 + 0.5);
             double high = x - n * Ln2High, low = n * Ln2Low;
@@ -115,16 +113,12 @@ namespace RigidBodyDynamics
         public static double Phi2(double z)
         {
             if (!(z < 1))
-            {
                 return (1 - (1 - Exp(-z)) / z) / z;
-            }
 
             // Σ (−z)^k / (k + 2)!, from the smallest term
             double sum = 0;
             for (int k = 20; k >= 2; k--)
-            {
                 sum = (1 - z * sum) / k;
-            }
 
             return sum;
         }

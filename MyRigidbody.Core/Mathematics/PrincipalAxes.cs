@@ -54,9 +54,7 @@ namespace RigidBodyDynamics
 
             // what no longer changes its neighbours by half an ulp is zero
             if (app + apq == app && aqq + apq == aqq && Math.Abs(apq) <= 1e-18)
-            {
                 apq = 0;
-            }
 
             double t = 0, cos = 1, sin = 0;
             if (apq != 0)

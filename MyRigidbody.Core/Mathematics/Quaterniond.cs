@@ -8,7 +8,7 @@ namespace RigidBodyDynamics
     /// A quaternion, scalar part first. Of length 1 it is a turn and takes vectors of the body to the world:
     /// v_world = q v_body q*. q and −q are the same turn.
     /// </summary>
-    public struct Quaterniond : IEquatable<Quaterniond>
+    public struct Quaterniond
     {
         /// <summary>Scalar part, cos of half the angle.</summary>
         public double W;
@@ -122,10 +122,8 @@ namespace RigidBodyDynamics
         /// <summary>True if any component differs; no tolerance.</summary>
         public static bool operator !=(Quaterniond a, Quaterniond b) => !(a == b);
 
-        public bool Equals(Quaterniond other) =>
-            W.Equals(other.W) && X.Equals(other.X) && Y.Equals(other.Y) && Z.Equals(other.Z);
-
-        public override bool Equals(object obj) => obj is Quaterniond other && Equals(other);
+        public override bool Equals(object obj) =>
+            obj is Quaterniond other && W.Equals(other.W) && Vector.Equals(other.Vector);
 
         public override int GetHashCode() => W.GetHashCode() * 31 + Vector.GetHashCode();
 

@@ -6,7 +6,7 @@ namespace RigidBodyDynamics
 {
     /// <summary>Three numbers in double precision: a position, a velocity, a torque.</summary>
     /// <remarks>Every operation is spelled out in one order, so that all runtimes round it alike.</remarks>
-    public struct Vector3d : IEquatable<Vector3d>
+    public struct Vector3d
     {
         /// <summary>Component along the first axis.</summary>
         public double X;
@@ -84,9 +84,8 @@ namespace RigidBodyDynamics
         /// <summary>True if any component differs; no tolerance.</summary>
         public static bool operator !=(Vector3d a, Vector3d b) => !(a == b);
 
-        public bool Equals(Vector3d other) => X.Equals(other.X) && Y.Equals(other.Y) && Z.Equals(other.Z);
-
-        public override bool Equals(object obj) => obj is Vector3d other && Equals(other);
+        public override bool Equals(object obj) =>
+            obj is Vector3d other && X.Equals(other.X) && Y.Equals(other.Y) && Z.Equals(other.Z);
 
         public override int GetHashCode() => (X.GetHashCode() * 31 + Y.GetHashCode()) * 31 + Z.GetHashCode();
 

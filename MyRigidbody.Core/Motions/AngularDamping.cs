@@ -6,10 +6,7 @@ namespace RigidBodyDynamics
         private readonly double _rate;
 
         /// <summary>Damping at the given rate c, 1/s.</summary>
-        public AngularDamping(double rate)
-        {
-            _rate = Guard.NotNegative(rate, "angularDamping");
-        }
+        public AngularDamping(double rate) => _rate = Guard.NotNegative(rate, "angularDamping");
 
         public void AddTo(ref Coasting coasting) => coasting.AngularDampingRate += _rate;
 

@@ -8,10 +8,7 @@ namespace RigidBodyDynamics
         private readonly Vector3d _force;
 
         /// <summary>The force, N, world axes.</summary>
-        public Force(Vector3d force)
-        {
-            _force = Guard.Finite(force, "force");
-        }
+        public Force(Vector3d force) => _force = Guard.Finite(force, "force");
 
         public PushTraits Traits => PushTraits.Moves;
 

@@ -6,10 +6,7 @@ namespace RigidBodyDynamics
         private readonly Vector3d _acceleration;
 
         /// <summary>Gravity of the given acceleration, m/s², world axes.</summary>
-        public Gravity(Vector3d acceleration)
-        {
-            _acceleration = Guard.Finite(acceleration, "gravity");
-        }
+        public Gravity(Vector3d acceleration) => _acceleration = Guard.Finite(acceleration, "gravity");
 
         public void AddTo(ref Coasting coasting) => coasting.Acceleration += _acceleration;
 

@@ -7,18 +7,10 @@ namespace RigidBodyDynamics
         private Vector3d _torque;
 
         /// <summary>Force at the centre of mass, N, world axes.</summary>
-        public Vector3d Force
-        {
-            get => _force;
-            set => _force = Guard.Finite(value, nameof(Force));
-        }
+        public Vector3d Force { get => _force; set => _force = Guard.Finite(value, nameof(Force)); }
 
         /// <summary>Torque, N m, world axes.</summary>
-        public Vector3d Torque
-        {
-            get => _torque;
-            set => _torque = Guard.Finite(value, nameof(Torque));
-        }
+        public Vector3d Torque { get => _torque; set => _torque = Guard.Finite(value, nameof(Torque)); }
     }
 
     /// <summary>The effect of a <see cref="Hand"/>: <c>body.With(new HeldBy(hand))</c>.</summary>
@@ -27,10 +19,7 @@ namespace RigidBodyDynamics
         private readonly Hand _hand;
 
         /// <summary>The effect of a hand.</summary>
-        public HeldBy(Hand hand)
-        {
-            _hand = Guard.NotNull(hand, nameof(hand));
-        }
+        public HeldBy(Hand hand) => _hand = Guard.NotNull(hand, nameof(hand));
 
         public PushTraits Traits => PushTraits.Moves | PushTraits.Turns | PushTraits.ReadsTime;
 

@@ -6,10 +6,7 @@ namespace RigidBodyDynamics
         private readonly double _rate;
 
         /// <summary>Damping at the given rate c, 1/s.</summary>
-        public LinearDamping(double rate)
-        {
-            _rate = Guard.NotNegative(rate, "linearDamping");
-        }
+        public LinearDamping(double rate) => _rate = Guard.NotNegative(rate, "linearDamping");
 
         public void AddTo(ref Coasting coasting) => coasting.LinearDampingRate += _rate;
 

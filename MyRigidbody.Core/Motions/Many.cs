@@ -14,9 +14,7 @@ namespace RigidBodyDynamics
             _pushes = Guard.NotNull(pushes, nameof(pushes));
             PushTraits traits = PushTraits.None;
             foreach (IPush push in pushes)
-            {
                 traits |= push.Traits;
-            }
 
             Traits = traits;
         }
@@ -26,17 +24,13 @@ namespace RigidBodyDynamics
         public void At(in Instant now, in BodyState body, MassProperties mass, ref Wrench wrench)
         {
             for (int i = 0; i < _pushes.Length; i++)
-            {
                 _pushes[i].At(now, body, mass, ref wrench);
-            }
         }
 
         public void Over(in Instant now, double duration, in BodyState body, MassProperties mass, ref Wrench impulse)
         {
             for (int i = 0; i < _pushes.Length; i++)
-            {
                 _pushes[i].Over(now, duration, body, mass, ref impulse);
-            }
         }
     }
 }

@@ -8,13 +8,9 @@ namespace RigidBodyDynamics
         public PushTraits Traits => PushTraits.None;
 
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
-        public void At(in Instant now, in BodyState body, MassProperties mass, ref Wrench wrench)
-        {
-        }
+        public void At(in Instant now, in BodyState body, MassProperties mass, ref Wrench wrench) { }
 
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
-        public void Over(in Instant now, double duration, in BodyState body, MassProperties mass, ref Wrench impulse)
-        {
-        }
+        public void Over(in Instant now, double duration, in BodyState body, MassProperties mass, ref Wrench impulse) { }
     }
 }

@@ -25,14 +25,10 @@ namespace RigidBodyDynamics
         public void Over(in Instant now, double duration, in BodyState body, MassProperties mass, ref Wrench impulse)
         {
             if (now.Step < _force.Length)
-            {
                 impulse.Force += duration * _force[now.Step];
-            }
 
             if (now.Step < _torque.Length)
-            {
                 impulse.Torque += duration * _torque[now.Step];
-            }
         }
 
         /// <summary>In words.</summary>
@@ -42,9 +38,7 @@ namespace RigidBodyDynamics
         {
             Vector3d[] copy = new Vector3d[Guard.NotNull(values, name).Count];
             for (int i = 0; i < copy.Length; i++)
-            {
                 copy[i] = Guard.Finite(values[i], name + "[" + i + "]");
-            }
 
             return copy;
         }

@@ -8,10 +8,7 @@ namespace RigidBodyDynamics
         private readonly double _k;
 
         /// <summary>Drag with the given k, kg/m.</summary>
-        public QuadraticDrag(double k)
-        {
-            _k = Guard.NotNegative(k, "quadraticDrag");
-        }
+        public QuadraticDrag(double k) => _k = Guard.NotNegative(k, "quadraticDrag");
 
         public PushTraits Traits => PushTraits.Moves | PushTraits.ReadsVelocity;
 

@@ -54,9 +54,7 @@ namespace RigidBodyDynamics
         private Vector3d Mean(double time, double duration)
         {
             if (!_swings)
-            {
                 return _constant;
-            }
 
             double z = 0.5 * _rate * duration;
             double spread = z == 0 ? 1 : Elementary.Sin(z) / z;

@@ -60,9 +60,7 @@ namespace RigidBodyDynamics
             while (first < end)
             {
                 if (_current < 0 || first == _stretches[_current].End)
-                {
                     _current++;
-                }
 
                 Stretch<TIntegrator> stretch = _stretches[_current];
                 long stop = Math.Min(end, stretch.End);

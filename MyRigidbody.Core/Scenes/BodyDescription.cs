@@ -5,6 +5,8 @@ namespace RigidBodyDynamics
     /// <summary>A body of a scene: what it is, how it starts, what acts on it, and by which rule it moves.</summary>
     public sealed class BodyDescription
     {
+        // every stretch of time holds its own sum, so memory goes with the square
+        private const int MostEffects = 1000;
         private readonly List<Effect> _effects = new List<Effect>();
 
         /// <summary>A body at rest at the origin, on which nothing acts.</summary>
@@ -96,15 +98,14 @@ namespace RigidBodyDynamics
             Guard.Finite(Start.AngularVelocity, "angularVelocity");
             Guard.NotNull(Lab, nameof(Lab));
             Guard.NotNull(Unity, nameof(Unity));
+            if (_effects.Count > MostEffects)
+                throw Guard.Refused("effects", _effects.Count, "must be at most " + MostEffects);
+
             if (!CanMove && !Start.Velocity.IsZero)
-            {
                 throw Guard.Refused("velocity", Start.Velocity, "must be zero where canMove is false");
-            }
 
             if (!CanTurn && !Start.AngularVelocity.IsZero)
-            {
                 throw Guard.Refused("angularVelocity", Start.AngularVelocity, "must be zero where canTurn is false");
-            }
         }
     }
 }

@@ -24,10 +24,8 @@ namespace RigidBodyDynamics
     {
         private readonly ICoast _coast;
 
-        public CoastEffect(ICoast coast, double from, double to) : base(from, to)
-        {
+        public CoastEffect(ICoast coast, double from, double to) : base(from, to) =>
             _coast = Guard.NotNull(coast, nameof(coast));
-        }
 
         public override object Motion => _coast;
 
@@ -37,9 +35,7 @@ namespace RigidBodyDynamics
     /// <summary>An effect that pushes, its type forgotten.</summary>
     internal abstract class PushEffect : Effect
     {
-        protected PushEffect(double from, double to) : base(from, to)
-        {
-        }
+        protected PushEffect(double from, double to) : base(from, to) { }
 
         public abstract IPush Push { get; }
 
@@ -54,10 +50,7 @@ namespace RigidBodyDynamics
     {
         private readonly TPush _push;
 
-        public PushEffect(TPush push, double from, double to) : base(from, to)
-        {
-            _push = push;
-        }
+        public PushEffect(TPush push, double from, double to) : base(from, to) => _push = push;
 
         public override IPush Push => _push;
 

@@ -13,17 +13,13 @@ namespace RigidBodyDynamics
             Steps = Guard.NotNull(steps, nameof(steps));
             Bodies = Guard.NotNull(bodies, nameof(bodies));
             if (bodies.Count == 0)
-            {
                 throw Guard.Refused(nameof(bodies), 0, "must be at least one");
-            }
 
             HashSet<string> names = new HashSet<string>();
             for (int i = 0; i < bodies.Count; i++)
             {
                 if (!names.Add(Guard.NotNull(bodies[i], "bodies[" + i + "]").Name))
-                {
                     throw Guard.Refused("bodies[" + i + "].name", bodies[i].Name, "must be unique in the scene");
-                }
             }
         }
 

@@ -21,9 +21,7 @@ namespace RigidBodyDynamics
         }
 
         /// <summary>Bodies that move in steps of one division of time.</summary>
-        public Simulation(TimeSteps steps, params BodyDescription[] bodies) : this(new Scene("simulation", string.Empty, steps, bodies))
-        {
-        }
+        public Simulation(TimeSteps steps, params BodyDescription[] bodies) : this(new Scene("simulation", string.Empty, steps, bodies)) { }
 
         /// <summary>What is simulated.</summary>
         public Scene Scene { get; }
@@ -45,14 +43,10 @@ namespace RigidBodyDynamics
         {
             long left = Scene.Steps.Count - StepsDone;
             if (count < 0 || count > left)
-            {
                 throw Guard.Refused(nameof(count), count, "must be from 0 to the " + left + " steps that the scene has left");
-            }
 
             for (int i = 0; i < _bodies.Length; i++)
-            {
                 _bodies[i].Step(StepsDone, StepsDone + count);
-            }
 
             StepsDone += count;
         }

@@ -19,9 +19,7 @@ namespace RigidBodyDynamics
             foreach (Effect effect in body.Effects)
             {
                 if (steps.FirstAt(effect.From) > first || steps.FirstAt(effect.To) <= first)
-                {
                     continue;
-                }
 
                 if (effect is CoastEffect coast)
                     coast.AddTo(ref _coasting);
@@ -44,9 +42,7 @@ namespace RigidBodyDynamics
             cuts.CopyTo(at);
             Stretch<TIntegrator>[] stretches = new Stretch<TIntegrator>[at.Length - 1];
             for (int i = 0; i < stretches.Length; i++)
-            {
                 stretches[i] = new StretchBuilder<TIntegrator>(body, steps, at[i], at[i + 1]).Bind(default(Nothing), 0);
-            }
 
             return stretches;
         }
@@ -55,20 +51,14 @@ namespace RigidBodyDynamics
         public Stretch<TIntegrator> Bind<TSum>(TSum sum, int next) where TSum : struct, IPush
         {
             if (next == _pushes.Count)
-            {
                 return new Stretch<TIntegrator, TSum>(_end, _coasting, sum);
-            }
 
             if (next < MostTyped)
-            {
                 return _pushes[next].Join(sum, this, next + 1);
-            }
 
             IPush[] rest = new IPush[_pushes.Count - next];
             for (int i = 0; i < rest.Length; i++)
-            {
                 rest[i] = _pushes[next + i].Push;
-            }
 
             return Bind(new Both<TSum, Many>(sum, new Many(rest)), _pushes.Count);
         }

@@ -72,9 +72,7 @@ namespace RigidBodyDynamics
         public long FirstAt(double time)
         {
             if (!(time > 0))
-            {
                 return 0;
-            }
 
             if (_starts == null)
             {

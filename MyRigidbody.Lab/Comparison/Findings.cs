@@ -16,7 +16,7 @@ internal sealed record Findings(
     /// <summary>Runs all of it.</summary>
     public static Findings Of(Pair pair, TimeSteps steps, Action<double> report)
     {
-        FrameRate[] rates = FrameRate.Matters(pair.Default)
+        FrameRate[] rates = FrameRate.Matters(pair.Default, steps)
             ? [.. FrameRate.Shown.Select(rate => FrameRate.Of(pair.Default, steps, rate))]
             : [];
         report(0.4);

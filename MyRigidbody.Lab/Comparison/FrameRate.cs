@@ -10,8 +10,12 @@ internal sealed record FrameRate(int FramesPerSecond, double Impulse, double Ang
     /// <summary>The rates that are shown.</summary>
     public static readonly int[] Shown = [30, 60, 144, 240];
 
-    /// <summary>True if keys act on the body, so that there is something to show.</summary>
-    public static bool Matters(BodyDescription body) => body.Effects.Any(IsKey);
+    // hours; every frame of it is looked at
+    private const double LongestScene = 1e5;
+
+    /// <summary>True if keys act on the body, so that there is something to show, and not for days.</summary>
+    public static bool Matters(BodyDescription body, TimeSteps steps) =>
+        body.Effects.Any(IsKey) && steps.StartOf(steps.Count) <= LongestScene;
 
     /// <summary>
     /// Runs the body once with its keys as they are, and once with all that the frames add up to. AddForce only notes

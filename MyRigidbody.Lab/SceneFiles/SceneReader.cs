@@ -25,10 +25,11 @@ internal static class SceneReader
 
         Dictionary<string, MassProperties> solidBoxes = [];
         List<BodyDescription> bodies = [];
+        HashSet<string> names = [];
         foreach (Place place in list.List("a list of bodies"))
         {
             BodyDescription body = BodyReader.Read(place, solidBoxes);
-            if (bodies.Any(other => other.Name == body.Name))
+            if (!names.Add(body.Name))
             {
                 throw place.Wrong($"name: must be unique in the scene, found \"{body.Name}\" again");
             }

@@ -73,9 +73,7 @@ namespace RigidBodyDynamics
             RealVector<R> a = force * _inverseMass;
             RealVector<R> alpha = torque.IsZero ? torque : _q.TransformDiagonal(_inverseMoments, torque);
             if (!(force.IsZero && torque.IsZero))
-            {
                 _wake.Wake();
-            }
 
             // 2. asleep: the pose stays, gravity or not
             IsAsleep = _wake.Sleeps();
@@ -98,9 +96,7 @@ namespace RigidBodyDynamics
                 _w = (_w + alpha * _h) * _keepW;
                 Limit();
                 if (_unity.GyroscopicForces)
-                {
                     Gyroscopic();
-                }
 
                 Turn();
             }
@@ -120,9 +116,7 @@ namespace RigidBodyDynamics
         {
             Real<R> w2 = _w.LengthSquared;
             if (w2 > _maxW2)
-            {
                 _w = _w * (_maxW2 / w2).Sqrt();
-            }
         }
 
         /// <summary>7. One explicit step of L' = −l × L in principal axes, scaled back to the length of L.</summary>
@@ -133,9 +127,7 @@ namespace RigidBodyDynamics
             RealVector<R> next = momentum - l.Cross(momentum) * _h;
             Real<R> length = next.LengthSquared.Sqrt();
             if (length.IsZero)
-            {
                 return;
-            }
 
             next = next * (momentum.LengthSquared.Sqrt() / length);
             _w = _w + _q.Rotate(_inverseMoments.Scale(next) - l);
@@ -153,9 +145,7 @@ namespace RigidBodyDynamics
 
             Real<R> w2 = _w.LengthSquared;
             if (w2.IsZero)
-            {
                 return;
-            }
 
             Real<R> s = w2.Sqrt();
             (_h * s * 0.5).SinCos(out Real<R> sin, out Real<R> cos);

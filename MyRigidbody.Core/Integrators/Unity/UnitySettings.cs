@@ -10,18 +10,10 @@ namespace RigidBodyDynamics
         private double _wakeCounter = 0.4;
 
         /// <summary>Rigidbody.drag, 1/s: v times max(0, 1 − drag Δt) a step.</summary>
-        public double Drag
-        {
-            get => _drag;
-            set => _drag = Guard.NotNegative(value, "drag");
-        }
+        public double Drag { get => _drag; set => _drag = Guard.NotNegative(value, "drag"); }
 
         /// <summary>Rigidbody.angularDrag, 1/s: ω times max(0, 1 − angularDrag Δt) a step.</summary>
-        public double AngularDrag
-        {
-            get => _angularDrag;
-            set => _angularDrag = Guard.NotNegative(value, "angularDrag");
-        }
+        public double AngularDrag { get => _angularDrag; set => _angularDrag = Guard.NotNegative(value, "angularDrag"); }
 
         /// <summary>Rigidbody.maxAngularVelocity, rad/s; infinite for no limit.</summary>
         public double MaxAngularVelocity
@@ -31,18 +23,10 @@ namespace RigidBodyDynamics
         }
 
         /// <summary>Rigidbody.sleepThreshold, J/kg; zero for a body that never sleeps.</summary>
-        public double SleepThreshold
-        {
-            get => _sleepThreshold;
-            set => _sleepThreshold = Guard.NotNegative(value, "sleepThreshold");
-        }
+        public double SleepThreshold { get => _sleepThreshold; set => _sleepThreshold = Guard.NotNegative(value, "sleepThreshold"); }
 
         /// <summary>How long a body at rest stays awake at the start, s.</summary>
-        public double WakeCounter
-        {
-            get => _wakeCounter;
-            set => _wakeCounter = Guard.NotNegative(value, "wakeCounter");
-        }
+        public double WakeCounter { get => _wakeCounter; set => _wakeCounter = Guard.NotNegative(value, "wakeCounter"); }
 
         /// <summary>PhysX 5's gyroscopic forces. Unity 2019.4 has none.</summary>
         public bool GyroscopicForces { get; set; }

@@ -35,9 +35,7 @@ namespace RigidBodyDynamics
         public bool Sleeps()
         {
             if (_left != 0 || NeverSleeps)
-            {
                 return false;
-            }
 
             _sumV = _sumW = default(RealVector<R>);
             return true;
@@ -52,9 +50,7 @@ namespace RigidBodyDynamics
         public void Run(double h, RealVector<R> v, RealVector<R> w, Real<R> inverseMass, RealVector<R> moments)
         {
             if (NeverSleeps)
-            {
                 return;
-            }
 
             float step = (float)h;
             if (_left < Half || _left < step)
@@ -73,9 +69,7 @@ namespace RigidBodyDynamics
 
             _left = Math.Max((float)(_left - step), 0f);
             if (_left == 0)
-            {
                 _sumV = _sumW = default(RealVector<R>);
-            }
         }
     }
 }

@@ -47,6 +47,6 @@ public sealed class FrameRateTests
     [Test]
     public void Without_keys_there_is_nothing_to_show()
     {
-        Assert.That(FrameRate.Matters(new BodyDescription("body", Solids.Sphere(1, 1))), Is.False);
+        Assert.That(FrameRate.Matters(new BodyDescription("body", Solids.Sphere(1, 1)), Steps), Is.False);
     }
 }

@@ -95,9 +95,9 @@ public sealed class SchemaTests
                 At(scene, path).ReplaceWith(value?.DeepClone());
                 string text = scene.ToJsonString(), error = SceneText.Error(text);
                 bool isValid = Schema.Validate(text).Count == 0;
-                if (isValid != (error.Length == 0) && !OnlyTheReaderKnows.Any(error.Contains))
+                if (!OnlyTheReaderKnows.Any(error.Contains))
                 {
-                    Assert.Fail($"{path} = {value?.ToJsonString() ?? "null"}: schema says {isValid}, reader says \"{error}\"");
+                    Assert.That(error.Length == 0, Is.EqualTo(isValid), $"{path} = {value?.ToJsonString() ?? "null"}: {error}");
                 }
 
                 accepted += error.Length == 0 ? 1 : 0;
