@@ -39,6 +39,11 @@ internal static class Program
         {
             return Refuse(refused.Message);
         }
+        catch (Exception full) when (full is IOException or UnauthorizedAccessException)
+        {
+            // files say so themselves, and a reader who leaves a pipe is no error; a full disk behind a redirection is
+            return Refuse("standard output: cannot be written: " + OneLine([full.Message]));
+        }
         catch (FellShortException shortfall)
         {
             Console.Error.WriteLine("error: " + shortfall.Message);

@@ -43,7 +43,7 @@ internal static class RunCommand
         if (output == null)
         {
             using StreamWriter standard = new(Console.OpenStandardOutput(), new UTF8Encoding(false));
-            WriteUnlessReaderLeaves(() => Write(simulation, every, path, standard));
+            Write(simulation, every, path, standard);
             return 0;
         }
 
@@ -95,19 +95,6 @@ internal static class RunCommand
                 throw new FellShortException(
                     $"{path}: body {body.Name}: {body.Integrator} has run away: no finite state after step {simulation.StepsDone}");
             }
-        }
-    }
-
-    /// <summary>Who reads a pipe may stop (<c>| head</c>); that is no error of ours.</summary>
-    private static void WriteUnlessReaderLeaves(Action write)
-    {
-        try
-        {
-            write();
-        }
-        catch (IOException)
-        {
-            // the pipe is closed
         }
     }
 }

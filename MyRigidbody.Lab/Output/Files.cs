@@ -14,6 +14,12 @@ internal sealed class Files : IDisposable
     {
         _name = name;
         _folder = Path.GetFullPath(folder);
+        if (_folder == "/dev")
+        {
+            // a file moved into the place of a device would take it from everybody
+            throw new InputException($"{name}: is a device; without --out the trajectory goes to standard output");
+        }
+
         Try(() => Directory.CreateDirectory(_folder));
         AppDomain.CurrentDomain.ProcessExit += (_, _) => Dispose();
     }

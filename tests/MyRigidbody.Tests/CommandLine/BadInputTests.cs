@@ -29,6 +29,7 @@ public sealed class BadInputTests
         Mistake(Folder + ": is a folder", "run", Gallery.Lab, "--out", Folder),
         Mistake(Text + ": cannot be written", "compare", Gallery.Lab, "--out", Text),
         Mistake("--step: the scene gives a force for every step", "run", TestData.Physx("b_torque_r.json"), "--step", "0.01"),
+        .. OperatingSystem.IsWindows() ? [] : new[] { Mistake("/dev/no such: is a device", "run", Gallery.Lab, "--out", "/dev/no such") },
     ];
 
     [TestCaseSource(nameof(Mistakes))]
