@@ -1,8 +1,8 @@
 using System.CommandLine;
 using System.Text;
-using Spectre.Console;
 using RigidBodyDynamics.Lab.Comparison;
 using RigidBodyDynamics.Lab.Output;
+using Spectre.Console;
 
 namespace RigidBodyDynamics.Lab.Commands;
 

@@ -1,7 +1,7 @@
 using System.CommandLine;
 using System.Text.Json;
-using Spectre.Console;
 using RigidBodyDynamics.Lab.Output;
+using Spectre.Console;
 
 namespace RigidBodyDynamics.Lab.Commands;
 

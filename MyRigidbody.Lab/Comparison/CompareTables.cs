@@ -1,7 +1,7 @@
 using System.Globalization;
+using RigidBodyDynamics.Lab.Output;
 using Spectre.Console;
 using Spectre.Console.Rendering;
-using RigidBodyDynamics.Lab.Output;
 
 namespace RigidBodyDynamics.Lab.Comparison;
 

@@ -1,8 +1,8 @@
 using System.Globalization;
 using System.Text.Json;
-using Spectre.Console;
 using RigidBodyDynamics.Lab.Commands;
 using RigidBodyDynamics.Lab.Output;
+using Spectre.Console;
 
 namespace RigidBodyDynamics.Lab.Comparison;
 

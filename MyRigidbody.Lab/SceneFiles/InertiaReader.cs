@@ -54,7 +54,7 @@ internal static class InertiaReader
             return fields.Place.Make(() => PointMasses.Equal(mass, points));
         }
 
-        double[] masses = [.. massesPlace.Value.List("a list of masses").Select(place => place.Number())];
+        double[] masses = massesPlace.Value.Numbers("a list of masses");
         MassProperties found = fields.Place.Make(() => PointMasses.Of(points, masses));
         return massPlace == null || Math.Abs(found.Mass - mass) <= SameMass * mass
             ? found

@@ -49,39 +49,39 @@ internal readonly record struct Place(string File, string Path, JsonElement Valu
         return at >= 0 ? at : throw Not("one of " + string.Join(", ", words.Select(word => $"\"{word}\"")));
     }
 
-    /// <summary>A list of values.</summary>
-    public IReadOnlyList<Place> List(string of = "a list")
-    {
-        if (Value.ValueKind != JsonValueKind.Array)
-        {
-            throw Not(of);
-        }
+    /// <summary>The values of a list, one after another: a file may hold millions, and only a wrong one needs its place.</summary>
+    public IEnumerable<Place> List(string of = "a list") =>
+        Value.ValueKind == JsonValueKind.Array ? Items(this) : throw Not(of);
 
-        List<Place> places = new(Value.GetArrayLength());
+    /// <summary>A list of finite numbers.</summary>
+    public double[] Numbers(string of = "a list of numbers")
+    {
+        double[] numbers = new double[Value.ValueKind == JsonValueKind.Array ? Value.GetArrayLength() : throw Not(of)];
+        int i = 0;
         foreach (JsonElement element in Value.EnumerateArray())
         {
-            places.Add(new Place(File, string.Create(CultureInfo.InvariantCulture, $"{Path}[{places.Count}]"), element));
+            bool isNumber = element.ValueKind == JsonValueKind.Number && element.TryGetDouble(out numbers[i]) && double.IsFinite(numbers[i]);
+            numbers[i] = isNumber ? numbers[i] : Item(i, element).Number();
+            i++;
         }
 
-        return places;
+        return numbers;
     }
 
     /// <summary>[x, y, z].</summary>
     public Vector3d Vector()
     {
         const string Shape = "three numbers [x, y, z]";
-        IReadOnlyList<Place> n = List(Shape);
-        return n.Count == 3 ? new Vector3d(n[0].Number(), n[1].Number(), n[2].Number()) : throw Not(Shape);
+        double[] n = Numbers(Shape);
+        return n.Length == 3 ? new Vector3d(n[0], n[1], n[2]) : throw Not(Shape);
     }
 
     /// <summary>[w, x, y, z], of any length but zero.</summary>
     public Quaterniond Turn()
     {
         const string Shape = "a quaternion [w, x, y, z]";
-        IReadOnlyList<Place> n = List(Shape);
-        Quaterniond turn = n.Count == 4
-            ? new Quaterniond(n[0].Number(), n[1].Number(), n[2].Number(), n[3].Number())
-            : throw Not(Shape);
+        double[] n = Numbers(Shape);
+        Quaterniond turn = n.Length == 4 ? new Quaterniond(n[0], n[1], n[2], n[3]) : throw Not(Shape);
         return Make(() => Guard.Turn(turn, string.Empty));
     }
 
@@ -105,6 +105,18 @@ internal readonly record struct Place(string File, string Path, JsonElement Valu
             throw (isField ? this with { Path = Path.Length > 0 ? $"{Path}.{name}" : name } : this).Wrong(rule);
         }
     }
+
+    private static IEnumerable<Place> Items(Place list)
+    {
+        int i = 0;
+        foreach (JsonElement element in list.Value.EnumerateArray())
+        {
+            yield return list.Item(i++, element);
+        }
+    }
+
+    private Place Item(int i, JsonElement element) =>
+        new(File, string.Create(CultureInfo.InvariantCulture, $"{Path}[{i}]"), element);
 
     private string Found
     {

@@ -59,10 +59,11 @@ internal static class RecordingReader
 
     private static IEnumerable<double> Numbers(Place place, long count)
     {
-        IReadOnlyList<Place> list = place.List("a list of numbers");
-        return list.Count == count
+        IEnumerable<Place> list = place.List("a list of numbers");
+        int found = place.Value.GetArrayLength();
+        return found == count
             ? list.Select(number => (double)number.Single())
-            : throw place.Wrong($"must have {count} numbers, found {list.Count}");
+            : throw place.Wrong($"must have {count} numbers, found {found}");
     }
 
     private static Vector3d Vector(Fields fields, string name)

@@ -61,7 +61,7 @@ internal static class SceneReader
                 }
             }
 
-            double[] lengths = [.. step.List().Select(place => place.Number())];
+            double[] lengths = step.Numbers();
             return fields.Place.Make(() => TimeSteps.Of(lengths));
         }
 
