@@ -1,6 +1,5 @@
 using System.Globalization;
 using System.Text.Json;
-using NUnit.Framework;
 
 namespace RigidBodyDynamics.Tests;
 
@@ -11,10 +10,9 @@ internal sealed class PhysxRecording
 
     private PhysxRecording(string name)
     {
-        string path = Path.Combine(TestContext.CurrentContext.TestDirectory, "data", "physx", name);
-        using JsonDocument json = JsonDocument.Parse(File.ReadAllText(path + ".json"));
+        using JsonDocument json = JsonDocument.Parse(File.ReadAllText(TestData.Physx(name + ".json")));
         _json = json.RootElement.Clone();
-        string[] lines = File.ReadAllLines(path + ".csv");
+        string[] lines = File.ReadAllLines(TestData.Physx(name + ".csv"));
         Columns = lines[0].Split(',');
         Rows = [.. lines.Skip(1).Select(line => line.Split(',').Select(s => float.Parse(s, CultureInfo.InvariantCulture)).ToArray())];
     }

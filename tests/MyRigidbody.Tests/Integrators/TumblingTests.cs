@@ -6,7 +6,7 @@ namespace RigidBodyDynamics.Tests;
 /// A free box keeps its angular momentum and so changes its angular velocity. Neither the lab's rule nor Unity's has
 /// the gyroscopic term: the assertion that a right integrator passes, they fail.
 /// </summary>
-public class TumblingTests
+public sealed class TumblingTests
 {
     private static readonly MassProperties Slab = Solids.Box(1, new Vector3d(1, 2, 3));
 

@@ -7,7 +7,7 @@ namespace RigidBodyDynamics.Tests;
 /// UnityRigidbody against what PhysX itself did with the same body: bit for bit in single precision, and in double
 /// within what single precision had rounded away.
 /// </summary>
-public class UnityRecordingTests
+public sealed class UnityRecordingTests
 {
     // the one scene that parts before its end, at row 1659, over the last bit of a sine near its unstable axis
     private const string Chaotic = "d_intermediate_gyro_on";
@@ -46,8 +46,7 @@ public class UnityRecordingTests
     [Test]
     public void Every_recording_is_held_against_the_rule()
     {
-        string folder = Path.Combine(TestContext.CurrentContext.TestDirectory, "data", "physx");
-        IEnumerable<string> recorded = Directory.GetFiles(folder, "*.csv").Select(f => Path.GetFileNameWithoutExtension(f));
+        IEnumerable<string> recorded = Directory.GetFiles(TestData.Physx("."), "*.csv").Select(f => Path.GetFileNameWithoutExtension(f));
         Assert.That(Names, Is.EquivalentTo(recorded));
         Assert.That(Names.Count(), Is.EqualTo(23));
     }
@@ -63,7 +62,8 @@ public class UnityRecordingTests
             float[] theirs = recording.Rows[k];
             for (int i = 2; i < theirs.Length; i++)
             {
-                if (BitConverter.SingleToInt32Bits(mine[i]) != BitConverter.SingleToInt32Bits(theirs[i]))
+                // adding 0 takes the sign from a zero: after a drag that leaves nothing of a velocity, PhysX reads 0 for −0
+                if (BitConverter.SingleToInt32Bits(mine[i] + 0f) != BitConverter.SingleToInt32Bits(theirs[i] + 0f))
                     Assert.That(mine[i], Is.EqualTo(theirs[i]), $"row {k}, {recording.Columns[i]}");
             }
 
@@ -80,11 +80,12 @@ public class UnityRecordingTests
         TestContext.Out.WriteLine(string.Create(
             CultureInfo.InvariantCulture, $"{name}: {worst[0]:g2}, {worst[1]:g2}, {worst[2]:g2}, {worst[3]:g2}"));
         double[] bounds = [p, q, v, w];
+        // the table has two digits, and 0 where it was below 1e-9
         for (int i = 0; i < 4; i++)
-            Assert.That(worst[i], Is.LessThanOrEqualTo(bounds[i]), "position, quaternion, velocity, angular velocity: " + i);
+            Assert.That(worst[i], Is.LessThanOrEqualTo(1.01 * bounds[i] + 1e-9), "position, quaternion, velocity, angular velocity: " + i);
     }
 
-    // measured 7.5e-6, 8.1e-5, 7.7e-4
+    // measured 9.0e-6, 9.3e-5, 8.3e-4
     [TestCase(160, 1e-5)]
     [TestCase(195, 1e-4)]
     [TestCase(230, 1e-3)]

@@ -29,7 +29,14 @@ internal static class FullMatrix
         };
     }
 
-    public static double[,] Diagonal(Vector3d d) => new[,] { { d.X, 0, 0 }, { 0, d.Y, 0 }, { 0, 0, d.Z } };
+    private static double[,] Diagonal(Vector3d d) => new[,] { { d.X, 0, 0 }, { 0, d.Y, 0 }, { 0, 0, d.Z } };
+
+    /// <summary>F diag(moments) Fᵀ: the tensor with these moments along the axes of a frame.</summary>
+    public static double[,] Tensor(Vector3d moments, Quaterniond frame)
+    {
+        double[,] f = Of(frame);
+        return Product(f, Product(Diagonal(moments), Transposed(f)));
+    }
 
     public static double[,] Product(double[,] a, double[,] b)
     {

@@ -5,7 +5,7 @@ using NUnit.Framework;
 namespace RigidBodyDynamics.Tests;
 
 /// <summary>The yardstick itself, against digits from printed tables.</summary>
-public class ManyDigitsTests
+public sealed class ManyDigitsTests
 {
     [Test]
     public void Pi_has_the_digits_of_any_table() => Assert.That(

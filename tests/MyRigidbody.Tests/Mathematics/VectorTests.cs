@@ -5,7 +5,7 @@ using static RigidBodyDynamics.Tests.Samples;
 
 namespace RigidBodyDynamics.Tests;
 
-public class VectorTests
+public sealed class VectorTests
 {
     private static readonly Vector3d A = new(1, 2, 3);
     private static readonly Vector3d B = new(4, -5, 6);
@@ -50,7 +50,7 @@ public class VectorTests
                 Math.Abs(Vector3d.Dot(a, c)) / (a.Length * bulk), Math.Abs(Vector3d.Dot(b, c)) / (b.Length * bulk));
             return Math.Max(normal * Math.Sqrt(bulk), Math.Abs(c.LengthSquared + dot * dot - bulk) / bulk);
         },
-        4e-15); // measured 9e-16
+        4e-15); // measured 6.9e-16
 
     [Test]
     public void Finite_means_no_infinity_and_no_NaN()

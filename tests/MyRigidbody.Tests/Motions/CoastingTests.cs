@@ -5,7 +5,7 @@ using static RigidBodyDynamics.Tests.Samples;
 namespace RigidBodyDynamics.Tests;
 
 /// <summary>Gravity and damping: one closed form for all of them.</summary>
-public class CoastingTests
+public sealed class CoastingTests
 {
     private static readonly Vector3d Down = new(0.5, -9.81, 2);
 
@@ -66,6 +66,7 @@ public class CoastingTests
             Simulation simulation = new(
                 TimeSteps.Every(1.0 / steps), new BodyDescription("b", Pushes.Mass) { Start = start }.With(new DecayPerStep(0.98, 0.98)));
             simulation.Step(steps);
+            // given in whole per cent
             Assert.That(simulation.Bodies[0].State.Velocity.X, Is.EqualTo(left).Within(0.005));
             Assert.That(simulation.Bodies[0].State.AngularVelocity.Y, Is.EqualTo(left).Within(0.005));
         }
@@ -93,10 +94,10 @@ public class CoastingTests
         BodyState start = Pushes.State;
         Vector3d v = left * start.Velocity + s * Down;
         Vector3d x = start.Position + s * start.Velocity + r * Down;
-        Assert.That(Apart(state.Velocity, v) / v.Length, Is.LessThan(1e-15)); // measured 3e-16
-        Assert.That(Apart(state.Position, x) / x.Length, Is.LessThan(1e-15)); // measured 2.4e-16
-        Assert.That(
-            Apart(state.AngularVelocity, Math.Exp(-2 * c * h) * start.AngularVelocity), Is.LessThan(1e-15 * start.AngularVelocity.Length)); // measured 8e-17
+        Assert.That(Apart(state.Velocity, v) / v.Length, Is.LessThan(1e-15)); // measured 1.7e-16
+        Assert.That(Apart(state.Position, x) / x.Length, Is.LessThan(1e-15)); // measured 1.2e-16
+        double spin = Apart(state.AngularVelocity, Math.Exp(-2 * c * h) * start.AngularVelocity) / start.AngularVelocity.Length;
+        Assert.That(spin, Is.LessThan(1e-15)); // measured 0
         Assert.That(state.Orientation, Is.EqualTo(start.Orientation));
     }
 
@@ -111,7 +112,11 @@ public class CoastingTests
 
     [Test]
     public void Two_half_steps_are_the_whole_step() => Property.Holds(
-        Gen.Select(Vectors, Vectors, Gen.OneOf<double>(Gen.Double[-6, 2].Select(d => Math.Pow(10, d)), Gen.OneOf(0.0)), Gen.Double[0.001, 10]),
+        Gen.Select(
+            Vectors,
+            Vectors,
+            Gen.OneOf<double>(Gen.Double[-6, 2].Select(digits => Math.Pow(10, digits)), Gen.OneOf(0.0)),
+            Gen.Double[0.001, 10]),
         t =>
         {
             (Vector3d v, Vector3d g, double c, double h) = t;
@@ -127,7 +132,7 @@ public class CoastingTests
                 Apart(halves.AngularVelocity, whole.AngularVelocity) / v.Length,
             }.Max();
         },
-        4e-15); // measured 6e-16
+        4e-15); // measured 3.8e-16
 
     [Test]
     public void Push_at_an_instant_is_m_times_g_minus_c_v_and_minus_c_L()
@@ -152,9 +157,9 @@ public class CoastingTests
         Wrench wrench = default;
         coasting.At(Pushes.State, Pushes.Mass, ref wrench);
         Vector3d acceleration = (later.Velocity - Pushes.State.Velocity) / h;
-        Assert.That(Apart(2.5 * acceleration, wrench.Force), Is.LessThan(1e-4)); // measured 6e-6, of order h
+        Assert.That(Apart(2.5 * acceleration, wrench.Force), Is.LessThan(1e-4)); // measured 5.8e-6, of order h
         Vector3d turning = (Conserved.AngularMomentum(later, Pushes.Mass) - Conserved.AngularMomentum(Pushes.State, Pushes.Mass)) / h;
-        Assert.That(Apart(turning, wrench.Torque), Is.LessThan(1e-4)); // measured 1.4e-5, of order h
+        Assert.That(Apart(turning, wrench.Torque), Is.LessThan(1e-4)); // measured 1.3e-5, of order h
     }
 
     [Test]
@@ -164,16 +169,17 @@ public class CoastingTests
         Coasting coasting = Coasting.Free;
         new Gravity(new Vector3d(0, -9.81, 0)).AddTo(ref coasting);
         new LinearDamping(0.3).AddTo(ref coasting);
-        double worst = 0;
+        double worst = 0, speed = 0;
         foreach (ExactCase.Sample sample in exact.Samples)
         {
             BodyState state = BodyState.AtRest;
             coasting.Advance(sample.Time, ref state);
             worst = Math.Max(worst, Apart(state.Position, sample.Position) / Floor(sample));
-            Assert.That(Apart(state.Velocity, sample.Velocity), Is.LessThanOrEqualTo(4e-16 * sample.Velocity.Length)); // measured 2e-16
+            speed = Math.Max(speed, Apart(state.Velocity, sample.Velocity) / (sample.Velocity.Length + 1e-300));
         }
 
-        Assert.That(worst, Is.LessThan(5)); // measured 1.8
+        Assert.That(worst, Is.LessThan(5)); // measured 1.9
+        Assert.That(speed, Is.LessThan(6e-16)); // measured 2.8e-16
     }
 
     [Test]
@@ -181,17 +187,18 @@ public class CoastingTests
     {
         ExactCase exact = ExactCase.Read("force_then_coast");
         Coasting pushed = new() { Acceleration = new Vector3d(5, 0, 0), LinearDampingRate = 1 }, coasting = new() { LinearDampingRate = 1 };
-        double worst = 0;
+        double worst = 0, speed = 0;
         foreach (ExactCase.Sample sample in exact.Samples)
         {
             BodyState state = BodyState.AtRest;
             pushed.Advance(Math.Min(1, sample.Time), ref state);
             coasting.Advance(Math.Max(0, sample.Time - 1), ref state);
             worst = Math.Max(worst, Apart(state.Position, sample.Position) / Floor(sample));
-            Assert.That(Apart(state.Velocity, sample.Velocity), Is.LessThanOrEqualTo(6e-16 * sample.Velocity.Length)); // measured 3e-16
+            speed = Math.Max(speed, Apart(state.Velocity, sample.Velocity) / (sample.Velocity.Length + 1e-300));
         }
 
-        Assert.That(worst, Is.LessThan(5)); // measured 2
+        Assert.That(worst, Is.LessThan(5)); // measured 1.6
+        Assert.That(speed, Is.LessThan(6e-16)); // measured 2e-16
     }
 
     // what the last bit of the inputs does to the place; nothing at the start

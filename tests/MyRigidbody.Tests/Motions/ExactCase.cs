@@ -1,6 +1,5 @@
 using System.Globalization;
 using System.Text.Json;
-using NUnit.Framework;
 
 namespace RigidBodyDynamics.Tests;
 
@@ -11,10 +10,9 @@ internal sealed class ExactCase
 
     private ExactCase(string id)
     {
-        string path = Path.Combine(TestContext.CurrentContext.TestDirectory, "data", "exact", id);
-        using JsonDocument json = JsonDocument.Parse(File.ReadAllText(path + ".json"));
+        using JsonDocument json = JsonDocument.Parse(File.ReadAllText(TestData.Exact(id + ".json")));
         Inputs = json.RootElement.Clone();
-        string[] lines = File.ReadAllLines(path + ".csv");
+        string[] lines = File.ReadAllLines(TestData.Exact(id + ".csv"));
         _columns = lines[0].Split(',');
         Samples = [.. lines.Skip(1).Select(line => new Sample(this, [.. line.Split(',').Select(Number)]))];
     }

@@ -3,7 +3,7 @@ using NUnit.Framework;
 namespace RigidBodyDynamics.Tests;
 
 /// <summary>The two questions that every push answers fit together.</summary>
-public class ImpulseTests
+public sealed class ImpulseTests
 {
     // nodes and weights of Gauss's rule of five points on (0, 1)
     private static readonly (double Node, double Weight)[] GaussRule =
@@ -22,7 +22,8 @@ public class ImpulseTests
         foreach (double h in new[] { 1e-3, 1e-6, 1e-9 })
         {
             Wrench mean = Pushes.Times(1 / h, Pushes.Over(push, Pushes.Now, h, Pushes.State));
-            Assert.That(Pushes.Apart(mean, now), Is.LessThan(3 * h + 2e-14)); // measured at most 1.1 h
+            double slope = (Pushes.Apart(mean, now) - 1e-14) / h;
+            Assert.That(slope, Is.LessThan(3)); // measured 1.5
         }
     }
 
@@ -34,21 +35,21 @@ public class ImpulseTests
         {
             Wrench impulse = Pushes.Over(push, Pushes.Now, h, Pushes.State);
             double error = Pushes.Apart(impulse, Integral(push, h)) / (h * size);
-            Assert.That(error, Is.LessThan(4e-15)); // measured 5e-16
+            Assert.That(error, Is.LessThan(4e-15)); // measured 9.3e-16
         }
     }
 
     [TestCaseSource(typeof(Pushes), nameof(Pushes.All))]
     public void Push_is_added_to_what_is_there_already(IPush push)
     {
-        Wrench there = new() { Force = new Vector3d(16, 32, 64), Torque = new Vector3d(-8, 128, 4), BodyTorque = new Vector3d(2, 256, 512) };
+        Wrench there = new() { Force = new Vector3d(16, 32, 64), Torque = new Vector3d(-8, 128, 4), BodyTorque = new Vector3d(2, 256, 5) };
         Wrench sum = there;
         push.At(Pushes.Now, Pushes.State, Pushes.Mass, ref sum);
         Assert.That(Pushes.Apart(sum, Sum(there, Pushes.At(push, Pushes.Now, Pushes.State))), Is.LessThan(1e-13)); // measured 0
 
         sum = there;
         push.Over(Pushes.Now, 0.4, Pushes.State, Pushes.Mass, ref sum);
-        Assert.That(Pushes.Apart(sum, Sum(there, Pushes.Over(push, Pushes.Now, 0.4, Pushes.State))), Is.LessThan(1e-13)); // measured 0
+        Assert.That(Pushes.Apart(sum, Sum(there, Pushes.Over(push, Pushes.Now, 0.4, Pushes.State))), Is.LessThan(1e-13)); // measured 1.8e-15
     }
 
     // the place is held, the velocity follows the push: 64 panels of Runge and Kutta for it, Gauss where it is steady

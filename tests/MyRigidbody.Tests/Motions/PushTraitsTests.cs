@@ -3,11 +3,15 @@ using NUnit.Framework;
 namespace RigidBodyDynamics.Tests;
 
 /// <summary>What a push says of itself is true: an integrator may leave out what is not declared.</summary>
-public class PushTraitsTests
+public sealed class PushTraitsTests
 {
     private static readonly PushTraits[] Reads =
     [
-        PushTraits.ReadsTime, PushTraits.ReadsPosition, PushTraits.ReadsOrientation, PushTraits.ReadsVelocity, PushTraits.ReadsAngularVelocity,
+        PushTraits.ReadsTime,
+        PushTraits.ReadsPosition,
+        PushTraits.ReadsOrientation,
+        PushTraits.ReadsVelocity,
+        PushTraits.ReadsAngularVelocity,
     ];
 
     [Test]

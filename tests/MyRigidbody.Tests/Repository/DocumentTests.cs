@@ -1,0 +1,45 @@
+using System.Text.Json;
+using System.Text.RegularExpressions;
+using System.Xml.Linq;
+using NUnit.Framework;
+
+namespace RigidBodyDynamics.Tests.Repository;
+
+/// <summary>Pages and manifests say the same as what they speak of.</summary>
+public sealed partial class DocumentTests
+{
+    private static readonly string[] Pages = Tree.Files(".", "*.md");
+
+    private static string Version =>
+        XDocument.Parse(Tree.Text("Directory.Build.props")).Descendants("Version").Single().Value;
+
+    [Test]
+    public void Unity_package_has_the_version_of_the_library()
+    {
+        using JsonDocument manifest = JsonDocument.Parse(Tree.Text("MyRigidbody.Core/package.json"));
+
+        Assert.That(manifest.RootElement.GetProperty("version").GetString(), Is.EqualTo(Version));
+    }
+
+    [Test]
+    public void Changelog_has_an_entry_for_the_version() =>
+        Assert.That(Tree.Text("CHANGELOG.md"), Does.Contain($"\n## [{Version}]"));
+
+    [TestCaseSource(nameof(Pages))]
+    public void Links_to_files_lead_somewhere(string page)
+    {
+        string folder = Path.GetDirectoryName(Root.File(page))!;
+        IEnumerable<string> broken = Link().Matches(CodeBlock().Replace(Tree.Text(page), string.Empty))
+            .Select(match => match.Groups[1].Value)
+            .Where(target => !target.Contains("://", StringComparison.Ordinal) && !target.StartsWith('#'))
+            .Where(target => !Path.Exists(Path.Combine(folder, Uri.UnescapeDataString(target.Split('#')[0]))));
+
+        Assert.That(broken, Is.Empty);
+    }
+
+    [GeneratedRegex(@"\]\(([^)\s]+)")]
+    private static partial Regex Link();
+
+    [GeneratedRegex(@"^```.*?^```", RegexOptions.Multiline | RegexOptions.Singleline)]
+    private static partial Regex CodeBlock();
+}

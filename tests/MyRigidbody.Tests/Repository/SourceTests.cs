@@ -1,0 +1,67 @@
+using System.Text.RegularExpressions;
+using System.Xml.Linq;
+using NUnit.Framework;
+
+namespace RigidBodyDynamics.Tests.Repository;
+
+/// <summary>What the sources promise about themselves, and no compiler checks.</summary>
+public sealed partial class SourceTests
+{
+    private static readonly string[] Core = Tree.Files("MyRigidbody.Core", "*.cs");
+    private static readonly string[] Tests = Tree.Files("tests/MyRigidbody.Tests", "*.cs");
+    private static readonly string[] All = [.. Core, .. Tree.Files("MyRigidbody.Lab", "*.cs"), .. Tree.Files("tests", "*.cs")];
+
+    // correctly rounded, or exact: all runtimes agree on them to the last bit
+    private static readonly string[] SameEverywhere = ["Math.Abs", "Math.Ceiling", "Math.Floor", "Math.Max", "Math.Min", "Math.Sqrt"];
+
+    [TestCase("MyRigidbody.Core/MyRigidbody.Core.csproj")]
+    [TestCase("tests/MyRigidbody.BitHash/MyRigidbody.BitHash.csproj")]
+    public void What_Unity_and_Mono_compile_is_held_to_CSharp_7_3(string project)
+    {
+        IEnumerable<string> versions = XDocument.Parse(Tree.Text(project)).Descendants("LangVersion").Select(element => element.Value);
+
+        Assert.That(versions, Is.EqualTo(new[] { "7.3" }));
+    }
+
+    [Test]
+    public void Core_knows_nothing_of_the_engine() =>
+        Assert.That(Matches(Core, UnityNames()), Is.Empty);
+
+    [Test]
+    public void Core_calls_only_functions_on_which_all_runtimes_agree() =>
+        Assert.That(
+            Matches(Core, MathCalls()).Where(found => !SameEverywhere.Contains(found.Text)),
+            Is.EqualTo(new[] { ("MyRigidbody.Core/Diagnostics/Conserved.cs", "Math.Atan2") }));
+
+    [Test]
+    public void No_source_file_is_longer_than_300_lines() =>
+        Assert.That(All.Where(path => File.ReadLines(Root.File(path)).Count() > 300), Is.Empty);
+
+    [Test]
+    public void Core_has_fewer_than_3000_lines_that_are_not_blank() =>
+        Assert.That(Core.Sum(path => File.ReadLines(Root.File(path)).Count(line => line.Trim().Length > 0)), Is.LessThan(3000));
+
+    [Test]
+    public void Tests_assert_by_constraint_and_none_is_switched_off() =>
+        Assert.That(
+            Matches(Tests, OtherAsserts()),
+            Is.EqualTo(new[] { ("tests/MyRigidbody.Tests/Determinism/MonoTests.cs", "Assert.Ignore") }));
+
+    private static IEnumerable<(string Path, string Text)> Matches(IEnumerable<string> files, Regex pattern) =>
+        from path in files
+        from line in File.ReadLines(Root.File(path))
+        from Match match in pattern.Matches(Comment().Replace(line, string.Empty))
+        select (path, match.Value);
+
+    [GeneratedRegex("//.*")]
+    private static partial Regex Comment();
+
+    [GeneratedRegex("Unity(Engine|Editor)")]
+    private static partial Regex UnityNames();
+
+    [GeneratedRegex(@"\bMathF?\.\w+|using static .*")]
+    private static partial Regex MathCalls();
+
+    [GeneratedRegex(@"\b(Collection|String|File|Directory)?Assert\.(?!That\b)\w+(?=\()|\[(Ignore|Explicit)\b")]
+    private static partial Regex OtherAsserts();
+}
