@@ -8,16 +8,35 @@ namespace RigidBodyDynamics
     /// </summary>
     public static class Catalogue
     {
+        private const Keeps Kept = Keeps.Motion | Keeps.MomentumLength | Keeps.Momentum;
+
         /// <summary>All of them, from the lab's own rule on.</summary>
         public static IReadOnlyList<CatalogueRow> Rows { get; } = new CatalogueRow[]
         {
-            new CatalogueRow<ExplicitEuler>("ExplicitEuler", 1, Cost.LikeTheLab, "formula 3.3 as printed: x moves on with the old velocity"),
-            new CatalogueRow<LabEuler>("LabEuler", 1, Cost.LikeTheLab, "the lab's five steps, in the order of its script"),
-            new UnityRow("UnityRigidbody", 1, Cost.SeveralTimesTheLab, "DefaultRigidbody: PhysX's rule with drag, 7 rad/s and sleep"),
+            new CatalogueRow<ExplicitEuler>(
+                "ExplicitEuler", 1, Keeps.AngularVelocity, Cost.LikeTheLab, "formula 3.3 as printed: x moves on with the old velocity"),
+            new CatalogueRow<LabEuler>(
+                "LabEuler", 1, Keeps.AngularVelocity, Cost.LikeTheLab, "the lab's five steps, in the order of its script"),
+            new UnityRow(
+                "UnityRigidbody", 1, Keeps.AngularVelocity, Cost.SeveralTimesTheLab, "DefaultRigidbody: PhysX's rule with drag, 7 rad/s and sleep"),
+            new CatalogueRow<GyroscopicEuler<ImplicitRule>>(
+                "ImplicitGyroscopic", 1, Keeps.Motion, Cost.SeveralTimesTheLab, "yardstick: one Newton step for the gyroscopic torque, as popular engines do"),
+            new CatalogueRow<GyroscopicEuler<ExplicitRule>>(
+                "ExplicitGyroscopic", 1, Keeps.Motion | Keeps.MomentumLength, Cost.SeveralTimesTheLab, "yardstick: momentum back to its old length, as PhysX's switch does"),
+            new CatalogueRow<Composition<SplitTop, Order2>>(
+                "Splitting", 2, Kept | Keeps.EnergyBounded, Cost.SeveralTimesTheLab, "rotations about the three axes in turn; keeps L, energy swings"),
+            new CatalogueRow<RungeKutta4>(
+                "RungeKutta4", 4, Kept, Cost.SeveralTimesTheLab, "the classical rule, L in world axes; for pushes that cannot be taken apart"),
+            new CompositionRow<Order2>(
+                "Exact", 2, Kept | Keeps.Energy, Cost.LikeTheLab, "exact free motion between half pushes; exact where nothing pushes"),
+            new CompositionRow<Order4>(
+                "Exact4", 4, Kept | Keeps.Energy, Cost.SeveralTimesTheLab, "the same with seven pushes in a step"),
+            new CompositionRow<Order6>(
+                "Exact6", 6, Kept | Keeps.Energy, Cost.SeveralTimesTheLab, "the same with twelve pushes in a step"),
         };
 
         /// <summary>The row of a body that names none.</summary>
-        public static CatalogueRow Default => Find("LabEuler");
+        public static CatalogueRow Default => Find("Exact");
 
         /// <summary>The row with a name, exactly as it is written in the list.</summary>
         public static CatalogueRow Find(string name)

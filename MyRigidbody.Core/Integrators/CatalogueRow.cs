@@ -1,5 +1,30 @@
+using System;
+
 namespace RigidBodyDynamics
 {
+    /// <summary>What a rule keeps of a body that turns freely.</summary>
+    [Flags]
+    public enum Keeps
+    {
+        /// <summary>It has no gyroscopic term: ω stays as it is, and with three different moments that is another motion.</summary>
+        AngularVelocity = 0,
+
+        /// <summary>It converges to the free motion as the step shrinks. It need not keep anything at a given step.</summary>
+        Motion = 1,
+
+        /// <summary>|L| to rounding.</summary>
+        MomentumLength = 2,
+
+        /// <summary>The vector L to rounding.</summary>
+        Momentum = 4,
+
+        /// <summary>The energy swings within bounds, however long the run.</summary>
+        EnergyBounded = 8,
+
+        /// <summary>The energy to rounding, however long the run and the step.</summary>
+        Energy = 16,
+    }
+
     /// <summary>What a step costs, in steps of the lab.</summary>
     public enum Cost
     {
@@ -13,10 +38,11 @@ namespace RigidBodyDynamics
     /// <summary>An integrator in the catalogue, and what it promises.</summary>
     public abstract class CatalogueRow
     {
-        internal CatalogueRow(string name, int order, Cost cost, string about)
+        internal CatalogueRow(string name, int order, Keeps keeps, Cost cost, string about)
         {
             Name = name;
             Order = order;
+            Keeps = keeps;
             Cost = cost;
             About = about;
         }
@@ -26,6 +52,9 @@ namespace RigidBodyDynamics
 
         /// <summary>The error after a given time falls with this power of the step, where the rule converges at all.</summary>
         public int Order { get; }
+
+        /// <summary>What it keeps of a body that turns freely.</summary>
+        public Keeps Keeps { get; }
 
         /// <summary>What a step costs.</summary>
         public Cost Cost { get; }
@@ -39,7 +68,7 @@ namespace RigidBodyDynamics
     /// <summary>A row whose rule is the struct <typeparamref name="TIntegrator"/>.</summary>
     internal sealed class CatalogueRow<TIntegrator> : CatalogueRow where TIntegrator : struct, IIntegrator
     {
-        public CatalogueRow(string name, int order, Cost cost, string about) : base(name, order, cost, about) { }
+        public CatalogueRow(string name, int order, Keeps keeps, Cost cost, string about) : base(name, order, keeps, cost, about) { }
 
         internal override Body Build(BodyDescription description, TimeSteps steps) => new Body<TIntegrator>(description, steps);
     }
@@ -47,7 +76,7 @@ namespace RigidBodyDynamics
     /// <summary>The row whose rule is chosen by the body's own precision.</summary>
     internal sealed class UnityRow : CatalogueRow
     {
-        public UnityRow(string name, int order, Cost cost, string about) : base(name, order, cost, about) { }
+        public UnityRow(string name, int order, Keeps keeps, Cost cost, string about) : base(name, order, keeps, cost, about) { }
 
         internal override Body Build(BodyDescription description, TimeSteps steps)
         {
@@ -55,6 +84,29 @@ namespace RigidBodyDynamics
                 return new Body<UnityRigidbody<ToDouble>>(description, steps);
 
             return new Body<UnityRigidbody<ToSingle>>(description, steps);
+        }
+    }
+
+    /// <summary>A row whose free rotation is chosen by the body's moments: each body pays for what it is.</summary>
+    internal sealed class CompositionRow<TScheme> : CatalogueRow where TScheme : struct, IScheme
+    {
+        public CompositionRow(string name, int order, Keeps keeps, Cost cost, string about) : base(name, order, keeps, cost, about) { }
+
+        internal override Body Build(BodyDescription description, TimeSteps steps) =>
+            FreeTops.Choose(description.Mass, new Maker(description, steps));
+
+        private sealed class Maker : FreeTops.IUse<Body>
+        {
+            private readonly BodyDescription _description;
+            private readonly TimeSteps _steps;
+
+            public Maker(BodyDescription description, TimeSteps steps)
+            {
+                _description = description;
+                _steps = steps;
+            }
+
+            public Body With<TTop>() where TTop : struct, IFreeTop => new Body<Composition<TTop, TScheme>>(_description, _steps);
         }
     }
 }

@@ -41,17 +41,11 @@ namespace RigidBodyDynamics
         /// The exact flow of the translation under gravity and damping together, and of the angular velocity under
         /// damping alone (the turn that goes with it is the free rotation's). The factors per step are left out.
         /// </summary>
-        /// <remarks>
-        /// v' = g − c v has v = e^(−ch) v₀ + s g and x = x₀ + s v₀ + (h − s)/c g, with s = (1 − e^(−ch))/c. Written
-        /// with φ₁ and φ₂ nothing cancels, and c = 0 is no case of its own.
-        /// </remarks>
         public void Advance(double duration, ref BodyState body)
         {
-            double z = LinearDampingRate * duration;
-            double s = duration * Elementary.Phi1(z), r = duration * duration * Elementary.Phi2(z);
-            body.Position += s * body.Velocity + r * Acceleration;
-            body.Velocity = Decay(LinearDampingRate, duration) * body.Velocity + s * Acceleration;
-            body.AngularVelocity = Decay(AngularDampingRate, duration) * body.AngularVelocity;
+            Drift drift = new Drift(this, duration);
+            drift.Move(ref body.Position, ref body.Velocity);
+            body.AngularVelocity = drift.AngularDecay * body.AngularVelocity;
         }
 
         private static double Decay(double rate, double duration) => rate == 0 ? 1 : Elementary.Exp(-rate * duration);

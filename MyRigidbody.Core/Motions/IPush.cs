@@ -20,7 +20,8 @@ namespace RigidBodyDynamics
 
         /// <summary>
         /// Adds the impulse this effect alone gives in the time that follows, the body held in its place: its exact
-        /// flow. Asked by integrators that compose. What depends on neither time nor velocity gives duration × At.
+        /// flow. Asked by integrators that compose; the duration may be negative. What depends on neither time nor
+        /// velocity gives duration × At, and so does what depends on time while <see cref="Instant.IsHeld"/>.
         /// </summary>
         void Over(in Instant now, double duration, in BodyState body, MassProperties mass, ref Wrench impulse);
     }

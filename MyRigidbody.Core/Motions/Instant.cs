@@ -9,14 +9,21 @@ namespace RigidBodyDynamics
         /// <summary>Time since the start of the scene, s.</summary>
         public readonly double Time;
 
+        /// <summary>
+        /// True while time stands still: a composition of higher order lets it pass with the drift alone, so that what
+        /// depends on it acts with its value at this instant, however long.
+        /// </summary>
+        public readonly bool IsHeld;
+
         /// <summary>A time within a step.</summary>
-        public Instant(long step, double time)
+        public Instant(long step, double time, bool isHeld = false)
         {
             Step = step;
             Time = time;
+            IsHeld = isHeld;
         }
 
         /// <summary>A later time within the same step.</summary>
-        public Instant Later(double duration) => new Instant(Step, Time + duration);
+        public Instant Later(double duration) => new Instant(Step, Time + duration, IsHeld);
     }
 }

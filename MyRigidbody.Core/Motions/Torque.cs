@@ -37,7 +37,7 @@ namespace RigidBodyDynamics
             Add(Mean(now.Time, 0), ref wrench);
 
         public void Over(in Instant now, double duration, in BodyState body, MassProperties mass, ref Wrench impulse) =>
-            Add(duration * Mean(now.Time, duration), ref impulse);
+            Add(duration * Mean(now.Time, now.IsHeld ? 0 : duration), ref impulse);
 
         /// <summary>In words.</summary>
         public override string ToString() => string.Format(
@@ -57,9 +57,16 @@ namespace RigidBodyDynamics
                 return _constant;
 
             double z = 0.5 * _rate * duration;
-            double spread = z == 0 ? 1 : Elementary.Sin(z) / z;
+            double spread = Spread(z);
             Elementary.SinCos(_rate * (time + 0.5 * duration), out double sin, out double cos);
             return _constant + spread * (sin * _sine + cos * _cosine);
+        }
+
+        // sin(z)/z; its series where the first term left out is below a rounding
+        private static double Spread(double z)
+        {
+            double zz = z * z;
+            return zz > 0.01 ? Elementary.Sin(z) / z : 1 - zz / 6 * (1 - zz / 20 * (1 - zz / 42 * (1 - zz / 72)));
         }
 
         private void Add(Vector3d torque, ref Wrench wrench)

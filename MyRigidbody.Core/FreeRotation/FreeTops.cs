@@ -1,0 +1,21 @@
+namespace RigidBodyDynamics
+{
+    /// <summary>Chooses a body's kind of top, once, from its moments: each body pays only for what it is.</summary>
+    internal static class FreeTops
+    {
+        /// <summary>Something to be done with the kind of top as a type.</summary>
+        public interface IUse<TResult>
+        {
+            TResult With<TTop>() where TTop : struct, IFreeTop;
+        }
+
+        public static TResult Choose<TResult>(MassProperties mass, IUse<TResult> use)
+        {
+            Vector3d i = mass.PrincipalMoments;
+            if (mass.IsIsotropic)
+                return use.With<SphericalTop>();
+
+            return i.X == i.Y || i.Y == i.Z || i.Z == i.X ? use.With<SymmetricTop>() : use.With<AsymmetricTop>();
+        }
+    }
+}

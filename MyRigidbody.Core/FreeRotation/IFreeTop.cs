@@ -1,0 +1,27 @@
+namespace RigidBodyDynamics
+{
+    /// <summary>
+    /// The rotation of a body between pushes, exact for any time: a struct that holds orientation and spin in the form
+    /// that suits the body's moments. The three kinds are those of the textbooks: spherical, symmetric, asymmetric top.
+    /// </summary>
+    internal interface IFreeTop
+    {
+        /// <summary>Takes body axes to world axes.</summary>
+        Quaterniond Orientation { get; }
+
+        /// <summary>ω in world axes, rad/s.</summary>
+        Vector3d AngularVelocity { get; }
+
+        /// <summary>Takes over a body; ω in world axes.</summary>
+        void Start(MassProperties mass, Quaterniond orientation, Vector3d angularVelocity);
+
+        /// <summary>Turns freely for a time (s) of any length and sign.</summary>
+        void Advance(double time);
+
+        /// <summary>Adds an angular momentum, N m s: a part in world axes and a part in body axes.</summary>
+        void Kick(in Vector3d world, in Vector3d body);
+
+        /// <summary>ω times a factor.</summary>
+        void Damp(double factor);
+    }
+}

@@ -1,0 +1,129 @@
+using System;
+
+namespace RigidBodyDynamics
+{
+    /// <summary>
+    /// The numbers of a step of free rotation that are the same for every point of an orbit: S, c₁ = 1 − V1,
+    /// c₃ = 1 − V3 for the angular velocity, and C, Z for the attitude. By + − × ÷ √ alone.
+    /// </summary>
+    /// <remarks>
+    /// S' = c₁ c₃, c₁' = −α S c₃, c₃' = −β S c₁ (Jacobi's sn, cn, dn up to scale). ψ, the turn about L that is left
+    /// when the smallest rotation between the two momenta is taken off, obeys
+    /// ψ' = |L| (2T + A₁ c₁ + A₃ c₃) / (L² + I₁ A₁ c₁ + I₃ A₃ c₃); C : Z = cos(ψ/2) : |L| sin(ψ/2).
+    /// Series up to h¹¹ for at most 0.04 rad; a longer step is a short one doubled again and again by the addition
+    /// theorems (S, c₁, c₃) and by the spherical excess of three momenta (ψ).
+    /// </remarks>
+    internal struct OrbitStep
+    {
+        // the first term left out of the series is below 2^-52 of the sum
+        private const double ShortSquared = 0.04 * 0.04;
+        private const double IllConditioned = 0.02;
+        private const double F3 = 1 / 6.0, F4 = 1 / 24.0, F5 = 1 / 120.0, F6 = 1 / 720.0, F7 = 1 / 5040.0;
+        private const double F8 = 1 / 40320.0, F9 = 1 / 362880.0, F10 = 1 / 3628800.0, F11 = 1 / 39916800.0;
+
+        public double S;
+
+        // near zero 1 − c has lost c, near one c has lost 1 − c: both are kept
+        public double C1;
+        public double C3;
+        public double V1;
+        public double V3;
+        public double C;
+        public double Z;
+
+        /// <summary>
+        /// True where a part of the step ends near the opposite of where it began: the smallest rotation between the two is
+        /// then hardly determined, and ψ with it. Another number of parts avoids it.
+        /// </summary>
+        public bool IsIllConditioned;
+
+        /// <summary>The numbers for a step h of the orbit with these A₁, A₃ and Q (moments in units of I₂).</summary>
+        public void Set(TopShape shape, double a1, double a3, double q, double h)
+        {
+            double alpha = shape.AlphaOfA3 * a3, beta = shape.BetaOfA1 * a1;
+            double energy = a1 + a3, momentum = shape.I1 * a1 + shape.I3 * a3, inverse = 1 / momentum, f0 = energy * inverse;
+            double fastest = Math.Max(Math.Max(alpha, beta), energy * f0);
+            IsIllConditioned = false;
+            int doublings = 0;
+            for (double angle = fastest * h * h; angle > ShortSquared; angle *= 0.25)
+            {
+                doublings++;
+                h *= 0.5;
+            }
+
+            double x = alpha * h * h, y = beta * h * h, p = x + y, m = x * y, xx = x * x, yy = y * y, pp = p * p;
+            S = h * (1 - F3 * p + F5 * (pp + 12 * m) - F7 * p * (pp + 132 * m)
+                + F9 * (pp * pp + m * (1224 * pp + 3024 * m)) - F11 * p * (pp * pp + m * (11064 * pp + 132624 * m)));
+            double c11 = -0.5 * x, c12 = F4 * x * (x + 4 * y), c13 = -F6 * x * (xx + 44 * m + 16 * yy);
+            double c14 = F8 * x * (x * (xx + 408 * m + 912 * yy) + 64 * y * yy);
+            double c15 = -F10 * x * (xx * (xx + 3688 * m + 30768 * yy) + yy * (15808 * m + 256 * yy));
+            double c31 = -0.5 * y, c32 = F4 * y * (y + 4 * x), c33 = -F6 * y * (yy + 44 * m + 16 * xx);
+            double c34 = F8 * y * (y * (yy + 408 * m + 912 * xx) + 64 * x * xx);
+            double c35 = -F10 * y * (yy * (yy + 3688 * m + 30768 * xx) + xx * (15808 * m + 256 * xx));
+            V1 = -(c11 + (c12 + (c13 + (c14 + c15))));
+            V3 = -(c31 + (c32 + (c33 + (c34 + c35))));
+            C1 = 1 - V1;
+            C3 = 1 - V3;
+
+            // ψ/h over |L| as the quotient of two series, integrated term by term
+            double half = 0.5 * inverse, e1 = half * a1, e3 = half * a3, l1 = shape.I1 * e1, l3 = shape.I3 * e3;
+            double d1 = l1 * c11 + l3 * c31, d2 = l1 * c12 + l3 * c32;
+            double d3 = l1 * c13 + l3 * c33, d4 = l1 * c14 + l3 * c34;
+            double d5 = l1 * c15 + l3 * c35;
+            double f1 = e1 * c11 + e3 * c31 - f0 * d1;
+            double f2 = e1 * c12 + e3 * c32 - f0 * d2 - f1 * d1;
+            double f3 = e1 * c13 + e3 * c33 - f0 * d3 - f1 * d2 - f2 * d1;
+            double f4 = e1 * c14 + e3 * c34 - f0 * d4 - f1 * d3 - f2 * d2 - f3 * d1;
+            double f5 = e1 * c15 + e3 * c35 - f0 * d5 - f1 * d4 - f2 * d3 - f3 * d2 - f4 * d1;
+            double f = h * (0.5 * f0 + (1 / 6.0 * f1 + (0.1 * f2 + (1 / 14.0 * f3 + (1 / 18.0 * f4 + 1 / 22.0 * f5)))));
+            double u = momentum * f * f;
+            C = 1;
+            Z = momentum * f * (1 + u * (1 / 3.0 + u * (2 / 15.0 + u * (17 / 315.0 + u * (62 / 2835.0)))));
+            if (doublings > 0)
+                Double(doublings, shape, a1, a3, alpha, beta, shape.DeltaOfQ * q, Math.Sqrt(momentum));
+        }
+
+        private void Double(int times, TopShape shape, double a1, double a3, double alpha, double beta, double delta, double length)
+        {
+            double tangent = Z / length;
+            C = 1 / Math.Sqrt(1 + tangent * tangent);
+            double sine = tangent * C;
+            double i1A1 = shape.I1 * a1, i3A3 = shape.I3 * a3, turned = (shape.I3 - shape.I1) * a1 * a3;
+            for (int i = 0; i < times; i++)
+            {
+                double c1 = C1, c3 = C3, c11 = c1 * c1, c33 = c3 * c3, ss = S * S;
+                double apart = c1 + c3 > 0.2 ? delta * ss / (c1 + c3) : c3 - c1;
+                double excessSine = turned * S * apart;
+                double excessCosine = length * (i1A1 * c1 * (1 + c1) + i3A3 * c3 * (1 + c3));
+                double excess = Math.Sqrt(excessSine * excessSine + excessCosine * excessCosine), r = 1 / excess;
+                IsIllConditioned |= excess < IllConditioned * length * (i1A1 + i3A3);
+                double x = excessCosine * r, y = excessSine * r;
+
+                if (Math.Abs(c1) >= 0.7 && Math.Abs(c3) >= 0.7)
+                {
+                    double d = 1 / (1 - alpha * beta * ss * ss);
+                    V1 = 2 * alpha * ss * c33 * d;
+                    V3 = 2 * beta * ss * c11 * d;
+                    C1 = 1 - V1;
+                    C3 = 1 - V3;
+                    S = 2 * S * c1 * c3 * d;
+                }
+                else
+                {
+                    double d = 1 / (c11 + alpha * ss * c33);
+                    C1 = (c11 * c33 - delta * ss) * d;
+                    C3 = (c11 * c33 + delta * ss) * d;
+                    V1 = 1 - C1;
+                    V3 = 1 - C3;
+                    S = 2 * S * c1 * c3 * d;
+                }
+
+                double cosine = C * C - sine * sine, twice = 2 * C * sine;
+                C = cosine * x + twice * y;
+                sine = twice * x - cosine * y;
+            }
+
+            Z = length * sine;
+        }
+    }
+}

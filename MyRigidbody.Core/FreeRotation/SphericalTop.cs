@@ -1,0 +1,50 @@
+namespace RigidBodyDynamics
+{
+    /// <summary>Exact free rotation of a body with three equal moments, a cube or a ball: ω stays, q turns about it.</summary>
+    internal struct SphericalTop : IFreeTop
+    {
+        private double _inverseMoment;
+        private Quaterniond _q, _qLost, _turn;
+        private Vector3d _w;
+        private double _preparedFor;
+
+        public Quaterniond Orientation => _q;
+
+        public Vector3d AngularVelocity => _w;
+
+        public void Start(MassProperties mass, Quaterniond orientation, Vector3d angularVelocity)
+        {
+            _inverseMoment = mass.InversePrincipalMoments.X;
+            _q = orientation;
+            _qLost = new Quaterniond(0, 0, 0, 0);
+            _w = angularVelocity;
+            _preparedFor = double.NaN;
+        }
+
+        public void Kick(in Vector3d world, in Vector3d body)
+        {
+            _w += _inverseMoment * (body.IsZero ? world : world + _q.Rotate(body));
+            _preparedFor = double.NaN;
+        }
+
+        public void Damp(double factor)
+        {
+            if (factor == 1)
+                return;
+
+            _w = factor * _w;
+            _preparedFor = double.NaN;
+        }
+
+        public void Advance(double time)
+        {
+            if (time != _preparedFor)
+            {
+                _turn = SmallTurn.Of(_w, _w.Length, time);
+                _preparedFor = time;
+            }
+
+            SmallTurn.Add(ref _q, ref _qLost, _turn * _q);
+        }
+    }
+}

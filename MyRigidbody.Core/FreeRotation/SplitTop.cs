@@ -1,0 +1,66 @@
+namespace RigidBodyDynamics
+{
+    /// <summary>
+    /// Free rotation, not exact but by five rotations about the principal axes, 1-2-3-2-1, of order 2: the flow of the
+    /// energy M₁²/2I₁ alone turns M about axis 1, and so on. |L| and its direction are kept by construction, the energy
+    /// swings and does not drift. Angles enter by their tangent (Cayley), so there is no trigonometry.
+    /// </summary>
+    /// <remarks>McLachlan, "Explicit Lie–Poisson integration and the Euler equations", Phys. Rev. Lett. 71 (1993).</remarks>
+    internal struct SplitTop : IFreeTop
+    {
+        private PrincipalAxesOrder _axes;
+        private Vector3d _inverseMoments;
+        private Quaterniond _q;
+        private Vector3d _m;
+
+        public Quaterniond Orientation => _axes.ToBody(_q);
+
+        public Vector3d AngularVelocity => Orientation.Rotate(_axes.ToBody(Vector3d.Scale(_inverseMoments, _m)));
+
+        public void Start(MassProperties mass, Quaterniond orientation, Vector3d angularVelocity)
+        {
+            _axes = new PrincipalAxesOrder(mass, 0);
+            _inverseMoments = mass.InversePrincipalMoments;
+            _q = _axes.FromBody(orientation);
+            _m = Vector3d.Scale(mass.PrincipalMoments, _axes.FromBody(orientation.RotateInverse(angularVelocity)));
+        }
+
+        public void Kick(in Vector3d world, in Vector3d body)
+        {
+            Vector3d j = world.IsZero ? Vector3d.Zero : _q.RotateInverse(world);
+            _m += body.IsZero ? j : j + _axes.FromBody(body);
+        }
+
+        public void Damp(double factor) => _m = factor * _m;
+
+        public void Advance(double time)
+        {
+            Quaterniond q = _q;
+            double m1 = _m.X, m2 = _m.Y, m3 = _m.Z;
+            double h1 = 0.25 * time * _inverseMoments.X, h2 = 0.25 * time * _inverseMoments.Y, h3 = 0.5 * time * _inverseMoments.Z;
+            Turn(h1 * m1, ref m2, ref m3, ref q.W, ref q.X, ref q.Y, ref q.Z);
+            Turn(h2 * m2, ref m3, ref m1, ref q.W, ref q.Y, ref q.Z, ref q.X);
+            Turn(h3 * m3, ref m1, ref m2, ref q.W, ref q.Z, ref q.X, ref q.Y);
+            Turn(h2 * m2, ref m3, ref m1, ref q.W, ref q.Y, ref q.Z, ref q.X);
+            Turn(h1 * m1, ref m2, ref m3, ref q.W, ref q.X, ref q.Y, ref q.Z);
+            _m = new Vector3d(m1, m2, m3);
+            _q = q.Normalized;
+        }
+
+        /// <summary>
+        /// The body turns about one axis by the angle whose half has tangent t: q (1, t) up to its length, and M, still
+        /// in the world, turns the other way in the body.
+        /// </summary>
+        private static void Turn(double t, ref double a, ref double b, ref double w, ref double x, ref double y, ref double z)
+        {
+            double f = 2 / (1 + t * t), cosine = f - 1, sine = f * t;
+            double a0 = a, w0 = w, y0 = y;
+            a = cosine * a0 + sine * b;
+            b = cosine * b - sine * a0;
+            w = w0 - t * x;
+            x = x + t * w0;
+            y = y0 + t * z;
+            z = z - t * y0;
+        }
+    }
+}

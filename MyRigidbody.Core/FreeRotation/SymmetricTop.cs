@@ -1,0 +1,80 @@
+namespace RigidBodyDynamics
+{
+    /// <summary>
+    /// Exact free rotation of a body with two equal moments, a wheel or a needle. In the world it turns about L at the
+    /// rate |L|/I₁, in the body about its own axis at (1 − I₃/I₁) w₃; both rates stay, so q₊ = (turn about L) q (turn
+    /// about axis 3).
+    /// </summary>
+    internal struct SymmetricTop : IFreeTop
+    {
+        private PrincipalAxesOrder _axes;
+        private double _across, _along, _slip;
+        private Quaterniond _q, _qLost, _turn;
+        private Vector3d _momentum;
+        private double _w3, _spinW, _spinZ, _preparedFor;
+
+        public Quaterniond Orientation => _axes.ToBody(_q);
+
+        public Vector3d AngularVelocity
+        {
+            get
+            {
+                Vector3d m = _q.RotateInverse(_momentum);
+                return Orientation.Rotate(_axes.ToBody(new Vector3d(m.X / _across, m.Y / _across, _w3)));
+            }
+        }
+
+        public void Start(MassProperties mass, Quaterniond orientation, Vector3d angularVelocity)
+        {
+            Vector3d i = mass.PrincipalMoments;
+            _axes = new PrincipalAxesOrder(mass, i.X == i.Y ? 0 : i.Y == i.Z ? 1 : 2);
+            _across = _axes.Moments.X;
+            _along = _axes.Moments.Z;
+            _slip = (_across - _along) / _across;
+            _q = _axes.FromBody(orientation);
+            _qLost = new Quaterniond(0, 0, 0, 0);
+            Vector3d w = _axes.FromBody(orientation.RotateInverse(angularVelocity));
+            _w3 = w.Z;
+            _momentum = _q.Rotate(new Vector3d(_across * w.X, _across * w.Y, _along * w.Z));
+            _preparedFor = double.NaN;
+        }
+
+        public void Kick(in Vector3d world, in Vector3d body)
+        {
+            // L and w₃ are held apart: each keeps digits that the other has not
+            Vector3d inBody = body.IsZero ? body : _axes.FromBody(body);
+            _w3 += (inBody.Z + (world.IsZero ? 0 : _q.RotateInverse(world).Z)) / _along;
+            _momentum += body.IsZero ? world : world + _q.Rotate(inBody);
+            _preparedFor = double.NaN;
+        }
+
+        public void Damp(double factor)
+        {
+            if (factor == 1)
+                return;
+
+            _w3 *= factor;
+            _momentum = factor * _momentum;
+            _preparedFor = double.NaN;
+        }
+
+        public void Advance(double time)
+        {
+            if (time != _preparedFor)
+            {
+                _turn = SmallTurn.Of((1 / _across) * _momentum, _momentum.Length / _across, time);
+                Quaterniond spin = SmallTurn.Of(new Vector3d(0, 0, _slip * _w3), System.Math.Abs(_slip * _w3), time);
+                _spinW = spin.W;
+                _spinZ = spin.Z;
+                _preparedFor = time;
+            }
+
+            Quaterniond d = _turn * _q, p = _q + d;
+            SmallTurn.Add(ref _q, ref _qLost, new Quaterniond(
+                d.W + p.W * _spinW - p.Z * _spinZ,
+                d.X + p.X * _spinW + p.Y * _spinZ,
+                d.Y + p.Y * _spinW - p.X * _spinZ,
+                d.Z + p.Z * _spinW + p.W * _spinZ));
+        }
+    }
+}

@@ -1,0 +1,77 @@
+namespace RigidBodyDynamics
+{
+    /// <summary>
+    /// What an asymmetric top's motion takes from its moments alone. Axis 2 is the middle one, the unstable one; the
+    /// moments are divided by I₂, since only their ratios count for the motion, and a body of 1e-18 kg m² is like any.
+    /// </summary>
+    /// <remarks>
+    /// Euler's equations w₁' = k₁ w₂ w₃ (and cyclic) keep A₁ = I₁ w₁² + g₁ w₂² and A₃ = I₃ w₃² + g₃ w₂², each a sum of
+    /// positive terms: 2T = A₁ + A₃ and L² = I₁ A₁ + I₃ A₃. Q = g₃ A₁ − g₁ A₃ tells on which side of the separatrix
+    /// the orbit is; it is zero there, and near axis 2 it holds the digits that T and L² have lost.
+    /// </remarks>
+    internal sealed class TopShape
+    {
+        /// <summary>From principal moments, kg m², and what takes principal axes to body axes.</summary>
+        public TopShape(Vector3d principalMoments, Quaterniond frame)
+        {
+            Axes = new PrincipalAxesOrder(principalMoments, frame, FirstOf(principalMoments));
+            Vector3d moments = Axes.Moments;
+            double scale = moments.Y;
+            I1 = moments.X / scale;
+            I3 = moments.Z / scale;
+            InverseMoments = new Vector3d(1 / moments.X, 1 / moments.Y, 1 / moments.Z);
+            // of the moments as given: a difference of two that are close is exact
+            double d12 = (moments.X - moments.Y) / scale, d23 = (moments.Y - moments.Z) / scale, d31 = (moments.Z - moments.X) / scale;
+            K1 = d23 / I1;
+            K2 = d31;
+            K3 = d12 / I3;
+            G1 = d31 == 0 ? 0.5 : -d23 / d31;
+            G3 = d31 == 0 ? 0.5 : -d12 / d31;
+            M1 = G3 * I1;
+            M3 = G1 * I3;
+            AlphaOfA3 = d31 * -d23 / (I1 * I3);
+            BetaOfA1 = d31 * -d12 / (I1 * I3);
+            DeltaOfQ = -d31 * d31 / (I1 * I3);
+        }
+
+        public PrincipalAxesOrder Axes { get; }
+
+        /// <summary>One over the moments as given, in the order of the axes.</summary>
+        public Vector3d InverseMoments { get; }
+
+        /// <summary>I₁/I₂, as all below in units of I₂.</summary>
+        public double I1 { get; }
+
+        public double I3 { get; }
+
+        public double K1 { get; }
+
+        public double K2 { get; }
+
+        public double K3 { get; }
+
+        public double G1 { get; }
+
+        public double G3 { get; }
+
+        /// <summary>Q = M₁ w₁² − M₃ w₃².</summary>
+        public double M1 { get; }
+
+        public double M3 { get; }
+
+        public double AlphaOfA3 { get; }
+
+        public double BetaOfA1 { get; }
+
+        public double DeltaOfQ { get; }
+
+        /// <summary>The axis to put first so that the middle moment is second.</summary>
+        private static int FirstOf(Vector3d i)
+        {
+            if ((i.X <= i.Y && i.Y <= i.Z) || (i.X >= i.Y && i.Y >= i.Z))
+                return 0;
+
+            return (i.Y <= i.Z && i.Z <= i.X) || (i.Y >= i.Z && i.Z >= i.X) ? 1 : 2;
+        }
+    }
+}

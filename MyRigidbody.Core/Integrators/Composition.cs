@@ -1,0 +1,127 @@
+namespace RigidBodyDynamics
+{
+    /// <summary>
+    /// What acts and free motion, one after another, each by its own exact flow. Between pushes the body drifts, falls,
+    /// is damped and turns exactly; a step composes pushes and such stretches symmetrically. With nothing to push the
+    /// step is one free motion, exact for any length.
+    /// </summary>
+    internal struct Composition<TTop, TScheme> : IIntegrator
+        where TTop : struct, IFreeTop
+        where TScheme : struct, IScheme
+    {
+        private TTop _top;
+        private Vector3d _x, _v;
+        private MassProperties _mass;
+        private bool _canMove, _canTurn, _isOffCenter;
+        private double _dt;
+        private Coasting _coasting;
+        private bool _isPlain;
+        private Drift _whole;
+
+        public BodyState State => new BodyState(Origin(_top.Orientation), _top.Orientation, _v, _top.AngularVelocity);
+
+        public bool IsAsleep => false;
+
+        public void Start(BodyDescription body)
+        {
+            Quaterniond q = body.Start.Orientation.Normalized;
+            _mass = body.Mass;
+            _canMove = body.CanMove;
+            _canTurn = body.CanTurn;
+            _isOffCenter = !_mass.CenterOfMass.IsZero;
+            _x = _isOffCenter ? body.Start.Position + q.Rotate(_mass.CenterOfMass) : body.Start.Position;
+            _v = body.Start.Velocity;
+            _top = default(TTop);
+            _top.Start(_mass, q, body.Start.AngularVelocity);
+        }
+
+        public void Prepare(double duration, in Coasting coasting)
+        {
+            _dt = duration;
+            _coasting = coasting;
+            _whole = new Drift(coasting, duration);
+            _isPlain = coasting.Acceleration.IsZero && coasting.LinearDampingRate == 0 && coasting.AngularDampingRate == 0;
+        }
+
+        public void Step<TPush>(in Instant now, ref TPush push) where TPush : struct, IPush
+        {
+            if ((push.Traits & (PushTraits.Moves | PushTraits.Turns)) == 0)
+            {
+                Advance(_dt);
+            }
+            else
+            {
+                TScheme scheme = default(TScheme);
+                double[] kicks = scheme.Kicks, drifts = scheme.Drifts;
+                Instant at = new Instant(now.Step, now.Time, scheme.HoldsTime);
+                for (int i = 0; i < drifts.Length; i++)
+                {
+                    Kick(at, kicks[i] * _dt, ref push);
+                    double length = drifts[i] * _dt;
+                    Advance(length);
+                    at = at.Later(scheme.HoldsTime ? length : kicks[i] * _dt);
+                }
+
+                Kick(at, kicks[drifts.Length] * _dt, ref push);
+            }
+
+            _v = _coasting.LinearFactorPerStep * _v;
+            _top.Damp(_coasting.AngularFactorPerStep);
+        }
+
+        private void Kick<TPush>(in Instant now, double duration, ref TPush push) where TPush : struct, IPush
+        {
+            const PushTraits ReadsPose = PushTraits.ReadsPosition | PushTraits.ReadsOrientation;
+            PushTraits traits = push.Traits;
+            BodyState body = default(BodyState);
+            body.Velocity = _v;
+            if ((traits & ReadsPose) != 0)
+            {
+                body.Orientation = _top.Orientation;
+                body.Position = Origin(body.Orientation);
+            }
+
+            if ((traits & PushTraits.ReadsAngularVelocity) != 0)
+                body.AngularVelocity = _top.AngularVelocity;
+
+            Wrench impulse = default(Wrench);
+            push.Over(now, duration, body, _mass, ref impulse);
+            if (_canMove && (traits & PushTraits.Moves) != 0)
+                _v += _mass.InverseMass * impulse.Force;
+
+            if (_canTurn && (traits & PushTraits.Turns) != 0)
+                _top.Kick(impulse.Torque, impulse.BodyTorque);
+        }
+
+        private void Advance(double length)
+        {
+            if (_isPlain)
+            {
+                if (_canMove)
+                    _x += length * _v;
+
+                if (_canTurn)
+                    _top.Advance(length);
+            }
+            else
+            {
+                Advance(length == _dt ? _whole : new Drift(_coasting, length));
+            }
+        }
+
+        private void Advance(in Drift drift)
+        {
+            if (_canMove)
+                drift.Move(ref _x, ref _v);
+
+            if (_canTurn)
+            {
+                _top.Advance(drift.TurningTime);
+                _top.Damp(drift.AngularDecay);
+            }
+        }
+
+        private Vector3d Origin(Quaterniond orientation) =>
+            _isOffCenter ? _x - orientation.Rotate(_mass.CenterOfMass) : _x;
+    }
+}

@@ -1,0 +1,110 @@
+namespace RigidBodyDynamics
+{
+    /// <summary>How a rule of order 1 takes the gyroscopic torque −ω × I ω into ω.</summary>
+    internal interface IGyroscopicRule
+    {
+        /// <summary>ω after a step by that torque alone; principal axes, rad/s.</summary>
+        Vector3d After(Vector3d w, Vector3d moments, double dt);
+    }
+
+    /// <summary>
+    /// One Newton step for implicit Euler, I (ω₊ − ω) + Δt ω₊ × I ω₊ = 0. Stable at any step, because it takes energy
+    /// away. E. Catto, "Numerical Methods", GDC 2015.
+    /// </summary>
+    internal struct ImplicitRule : IGyroscopicRule
+    {
+        public Vector3d After(Vector3d w, Vector3d i, double dt)
+        {
+            Vector3d m = Vector3d.Scale(i, w), f = dt * Vector3d.Cross(w, m);
+            // J = I + Δt ([ω]× I − [Iω]×), of which only differences of moments are left
+            Vector3d r1 = new Vector3d(i.X, dt * w.Z * (i.Z - i.Y), dt * w.Y * (i.Z - i.Y));
+            Vector3d r2 = new Vector3d(dt * w.Z * (i.X - i.Z), i.Y, dt * w.X * (i.X - i.Z));
+            Vector3d r3 = new Vector3d(dt * w.Y * (i.Y - i.X), dt * w.X * (i.Y - i.X), i.Z);
+            // Cramer's rule by rows: J⁻¹ f = (f₁ r₂×r₃ + f₂ r₃×r₁ + f₃ r₁×r₂) / det J
+            Vector3d c1 = Vector3d.Cross(r2, r3), c2 = Vector3d.Cross(r3, r1), c3 = Vector3d.Cross(r1, r2);
+            return w - (1 / Vector3d.Dot(r1, c1)) * (f.X * c1 + f.Y * c2 + f.Z * c3);
+        }
+    }
+
+    /// <summary>
+    /// Explicit Euler for M = I ω, then M back to its old length, as PhysX's switch does. |L| stays, its direction and
+    /// the energy do not.
+    /// </summary>
+    internal struct ExplicitRule : IGyroscopicRule
+    {
+        public Vector3d After(Vector3d w, Vector3d i, double dt)
+        {
+            Vector3d m = Vector3d.Scale(i, w), next = m - dt * Vector3d.Cross(w, m);
+            double length = next.Length;
+            next = length > 0 ? (m.Length / length) * next : next;
+            return new Vector3d(next.X / i.X, next.Y / i.Y, next.Z / i.Z);
+        }
+    }
+
+    /// <summary>
+    /// What game engines do, as a yardstick: ω by the torque, then by a gyroscopic rule; the body turns about the new
+    /// ω by exactly |ω| Δt; x with the new velocity; damping. Order 1.
+    /// </summary>
+    internal struct GyroscopicEuler<TRule> : IIntegrator where TRule : struct, IGyroscopicRule
+    {
+        private BodyState _body;
+        private MassProperties _mass;
+        private PrincipalAxesOrder _axes;
+        private bool _canMove, _canTurn, _isOffCenter;
+        private double _dt;
+        private Coasting _coasting;
+        private double _linearDecay, _angularDecay;
+
+        public BodyState State => _body;
+
+        public bool IsAsleep => false;
+
+        public void Start(BodyDescription body)
+        {
+            _body = body.Start;
+            _body.Orientation = _body.Orientation.Normalized;
+            _mass = body.Mass;
+            _axes = new PrincipalAxesOrder(_mass, 0);
+            _canMove = body.CanMove;
+            _canTurn = body.CanTurn;
+            _isOffCenter = !_mass.CenterOfMass.IsZero;
+        }
+
+        public void Prepare(double duration, in Coasting coasting)
+        {
+            _dt = duration;
+            _coasting = coasting;
+            _linearDecay = coasting.LinearDecay(duration);
+            _angularDecay = coasting.AngularDecay(duration);
+        }
+
+        public void Step<TPush>(in Instant now, ref TPush push) where TPush : struct, IPush
+        {
+            Wrench load = default(Wrench);
+            push.At(now, _body, _mass, ref load);
+            Quaterniond q = _body.Orientation, oldQ = q;
+            Vector3d v = _body.Velocity, x = _body.Position;
+            if (_canMove)
+            {
+                v = _linearDecay * (v + _dt * (_mass.InverseMass * load.Force + _coasting.Acceleration));
+                x += _dt * v;
+            }
+
+            if (_canTurn)
+            {
+                Vector3d w = _axes.FromBody(q.RotateInverse(_body.AngularVelocity));
+                if ((push.Traits & PushTraits.Turns) != 0)
+                    w += _dt * Vector3d.Scale(_mass.InversePrincipalMoments, _axes.FromBody(q.RotateInverse(load.TorqueInWorld(q))));
+
+                w = default(TRule).After(w, _mass.PrincipalMoments, _dt);
+                Vector3d world = _angularDecay * q.Rotate(_axes.ToBody(w));
+                q = (q + SmallTurn.Of(world, world.Length, _dt) * q).Normalized;
+                _body.AngularVelocity = world;
+            }
+
+            _body.Velocity = v;
+            _body.Orientation = q;
+            _body.Position = _isOffCenter ? x + oldQ.Rotate(_mass.CenterOfMass) - q.Rotate(_mass.CenterOfMass) : x;
+        }
+    }
+}

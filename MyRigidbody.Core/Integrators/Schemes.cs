@@ -1,0 +1,86 @@
+namespace RigidBodyDynamics
+{
+    /// <summary>An order in which pushes and free motion follow one another: b₀ a₁ b₁ a₂ … b_n, in steps.</summary>
+    internal interface IScheme
+    {
+        /// <summary>The parts of a step over which the pushes act, one more than there are drifts.</summary>
+        double[] Kicks { get; }
+
+        /// <summary>The parts of a step of free motion between them.</summary>
+        double[] Drifts { get; }
+
+        /// <summary>True if time passes with the free motion and stands still in a push.</summary>
+        bool HoldsTime { get; }
+    }
+
+    /// <summary>Half a push, free motion, half a push (Strang): order 2; each push with its mean over its half.</summary>
+    internal struct Order2 : IScheme
+    {
+        private static readonly double[] HalfKicks = { 0.5, 0.5 };
+        private static readonly double[] WholeDrift = { 1 };
+
+        public double[] Kicks => HalfKicks;
+
+        public double[] Drifts => WholeDrift;
+
+        public bool HoldsTime => false;
+    }
+
+    /// <summary>
+    /// Order 4 with six stages: S. Blanes, P. C. Moan, "Practical symplectic partitioned Runge–Kutta and
+    /// Runge–Kutta–Nyström methods", J. Comput. Appl. Math. 142 (2002), SRKN 6 b. For pushes that depend on pose and
+    /// time alone; the free motion need not be a quadratic form's drift, a rotation will do.
+    /// </summary>
+    internal struct Order4 : IScheme
+    {
+        private static readonly double[] B = Palindrome(
+            new[] { 0.0829844064174052, 0.396309801498368, -0.0390563049223486 }, middleTwice: false);
+
+        private static readonly double[] A = Palindrome(new[] { 0.245298957184271, 0.604872665711080 }, middleTwice: true);
+
+        public double[] Kicks => B;
+
+        public double[] Drifts => A;
+
+        public bool HoldsTime => true;
+
+        /// <summary>
+        /// c₁ … c_k m c_k … c₁, or c₁ … c_k m m c_k … c₁, with m such that the sum is 1. The coefficients are given to 15
+        /// digits; that the sum is 1 to the last bit is what a constant push feels.
+        /// </summary>
+        internal static double[] Palindrome(double[] outer, bool middleTwice)
+        {
+            double sum = 0;
+            foreach (double c in outer)
+                sum += c;
+
+            double middle = middleTwice ? 0.5 - sum : 1 - 2 * sum;
+            double[] all = new double[2 * outer.Length + (middleTwice ? 2 : 1)];
+            for (int i = 0; i < all.Length; i++)
+            {
+                int fromEnd = System.Math.Min(i, all.Length - 1 - i);
+                all[i] = fromEnd < outer.Length ? outer[fromEnd] : middle;
+            }
+
+            return all;
+        }
+    }
+
+    /// <summary>Order 6 with eleven stages: the same paper, SRKN 11 b.</summary>
+    internal struct Order6 : IScheme
+    {
+        private static readonly double[] B = Order4.Palindrome(
+            new[] { 0.0414649985182624, 0.198128671918067, -0.0400061921041533, 0.0752539843015807, -0.0115113874206879 },
+            middleTwice: true);
+
+        private static readonly double[] A = Order4.Palindrome(
+            new[] { 0.123229775946271, 0.290553797799558, -0.127049212625417, -0.246331761062075, 0.357208872795928 },
+            middleTwice: false);
+
+        public double[] Kicks => B;
+
+        public double[] Drifts => A;
+
+        public bool HoldsTime => true;
+    }
+}

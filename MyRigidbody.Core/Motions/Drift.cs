@@ -1,0 +1,45 @@
+namespace RigidBodyDynamics
+{
+    /// <summary>
+    /// The exact flow of coasting over one duration: v' = g − c v has v = e^(−ch) v₀ + s g and x = x₀ + s v₀ + r g with
+    /// s = (1 − e^(−ch))/c and r = (h − s)/c; and L' = −c L turns the body as far as it would turn freely in the time s.
+    /// </summary>
+    internal readonly struct Drift
+    {
+        /// <summary>The time in which a free body turns as far as the damped one, s.</summary>
+        public readonly double TurningTime;
+
+        /// <summary>What is left of ω.</summary>
+        public readonly double AngularDecay;
+
+        private readonly double _s;
+        private readonly double _decay;
+        private readonly Vector3d _fall;
+        private readonly Vector3d _gain;
+
+        /// <summary>The flow; the factors per step are left out.</summary>
+        public Drift(in Coasting coasting, double duration)
+        {
+            Decay(coasting.AngularDampingRate, duration, out AngularDecay, out TurningTime, out _);
+            Decay(coasting.LinearDampingRate, duration, out _decay, out _s, out double r);
+            _fall = r * coasting.Acceleration;
+            _gain = _s * coasting.Acceleration;
+        }
+
+        /// <summary>Moves a centre of mass.</summary>
+        public void Move(ref Vector3d x, ref Vector3d v)
+        {
+            x += _s * v + _fall;
+            v = _decay * v + _gain;
+        }
+
+        // with φ₁ and φ₂ nothing cancels for small c h
+        private static void Decay(double rate, double h, out double decay, out double s, out double r)
+        {
+            double z = rate * h;
+            decay = rate == 0 ? 1 : Elementary.Exp(-z);
+            s = rate == 0 ? h : h * Elementary.Phi1(z);
+            r = rate == 0 ? 0.5 * h * h : h * h * Elementary.Phi2(z);
+        }
+    }
+}

@@ -1,0 +1,75 @@
+using System.Globalization;
+using System.Text.Json;
+
+namespace RigidBodyDynamics.Tests;
+
+/// <summary>A reference solution as a body with its torque and damping, and a run of it held against the samples.</summary>
+internal static class SolvedScene
+{
+    public static BodyDescription Body(ExactCase solved, string integrator)
+    {
+        JsonElement inputs = solved.Inputs, initial = inputs.GetProperty("initial");
+        Quaterniond q = new(
+            Number(initial.GetProperty("quaternion_wxyz")[0]),
+            Number(initial.GetProperty("quaternion_wxyz")[1]),
+            Number(initial.GetProperty("quaternion_wxyz")[2]),
+            Number(initial.GetProperty("quaternion_wxyz")[3]));
+        BodyDescription body = new(
+            "body", MassProperties.FromPrincipal(Number(inputs.GetProperty("mass")), Vector(inputs, "inertia")))
+        {
+            Integrator = integrator,
+            Start = new BodyState(
+                Vector3d.Zero, q, Vector3d.Zero, q.Normalized.Rotate(Vector(initial, "angular_velocity_body"))),
+            Unity = new UnitySettings
+            {
+                AngularDrag = 0,
+                MaxAngularVelocity = double.PositiveInfinity,
+                SleepThreshold = 0,
+                InDouble = true,
+            },
+        };
+        if (inputs.TryGetProperty("angular_damping_rate", out JsonElement rate))
+            body.With(new AngularDamping(Number(rate)));
+
+        if (!inputs.TryGetProperty("torque", out JsonElement torque))
+            return body;
+
+        string frame = torque.GetProperty("frame").GetString()!;
+        Vector3d up = new(0, 0, 1);
+        return frame == "heavy_top"
+            ? body.With(new HeavyTop(up, Number(torque.GetProperty("mgl")), up))
+            : body.With(new Torque(Vector(torque, "constant"), Vector(torque, "sin"), Vector(torque, "cos"), 1, frame == "body"));
+    }
+
+    /// <summary>Runs to every sample that is a whole number of steps away and hands over what was found and what is true.</summary>
+    public static void Run(ExactCase solved, string integrator, double step, Action<BodyState, ExactCase.Sample, double> compare)
+    {
+        Simulation simulation = new(TimeSteps.Every(step), Body(solved, integrator));
+        double floor = 0;
+        foreach (ExactCase.Sample sample in solved.Samples)
+        {
+            // floors shrink again where neighbouring motions meet: the running maximum counts
+            floor = Math.Max(floor, sample["double_attainable_error"]);
+            double steps = Math.Round(sample.Time / step);
+            if (steps < 1 || Math.Abs(steps * step - sample.Time) > 1e-9)
+                continue;
+
+            simulation.Step((long)steps - simulation.StepsDone);
+            compare(simulation.Bodies[0].State, sample, floor);
+        }
+    }
+
+    /// <summary>The angle to the true orientation at the end, rad.</summary>
+    public static double ErrorAtEnd(ExactCase solved, string integrator, double step)
+    {
+        double error = double.NaN;
+        Run(solved, integrator, step, (state, sample, _) => error = Conserved.AngleBetween(state.Orientation, sample.Orientation));
+        return error;
+    }
+
+    private static double Number(JsonElement value) => double.Parse(value.GetRawText(), CultureInfo.InvariantCulture);
+
+    private static Vector3d Vector(JsonElement owner, string name) => owner.TryGetProperty(name, out JsonElement n)
+        ? new Vector3d(Number(n[0]), Number(n[1]), Number(n[2]))
+        : Vector3d.Zero;
+}
