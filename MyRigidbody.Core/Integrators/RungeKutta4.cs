@@ -44,46 +44,70 @@ namespace RigidBodyDynamics
 
         public void Step<TPush>(in Instant now, ref TPush push) where TPush : struct, IPush
         {
-            double h = _dt;
-            Rates k1 = RatesAt(now, _v, _x, _q, _l, ref push);
-            Rates k2 = RatesAfter(0.5 * h, now, k1, ref push);
-            Rates k3 = RatesAfter(0.5 * h, now, k2, ref push);
-            Rates k4 = RatesAfter(h, now, k3, ref push);
+            double h = _dt, half = 0.5 * h;
+            Instant middle = now.Later(half), end = now.Later(h);
+            Vector3d x = _x, v1 = _v, l = _l;
+            Quaterniond q = _q;
+            RatesAt(now, x, v1, q, l, ref push, out Vector3d a1, out Quaterniond q1, out Vector3d l1);
+            Vector3d v2 = v1 + half * a1;
+            RatesAt(middle, x + half * v1, v2, q + half * q1, l + half * l1, ref push, out Vector3d a2, out Quaterniond q2, out Vector3d l2);
+            Vector3d v3 = v1 + half * a2;
+            RatesAt(middle, x + half * v2, v3, q + half * q2, l + half * l2, ref push, out Vector3d a3, out Quaterniond q3, out Vector3d l3);
+            Vector3d v4 = v1 + h * a3;
+            RatesAt(end, x + h * v3, v4, q + h * q3, l + h * l3, ref push, out Vector3d a4, out Quaterniond q4, out Vector3d l4);
+
+            double sixth = h / 6;
             if (_canMove)
             {
-                _x += h / 6 * (k1.X + 2 * (k2.X + k3.X) + k4.X);
-                _v += h / 6 * (k1.V + 2 * (k2.V + k3.V) + k4.V);
-                _v = _coasting.LinearFactorPerStep * _v;
+                _x = x + sixth * (v1 + 2 * (v2 + v3) + v4);
+                _v = _coasting.LinearFactorPerStep * (v1 + sixth * (a1 + 2 * (a2 + a3) + a4));
             }
 
             if (_canTurn)
             {
-                _q = (_q + h / 6 * (k1.Q + 2 * (k2.Q + k3.Q) + k4.Q)).Normalized;
-                _l += h / 6 * (k1.L + 2 * (k2.L + k3.L) + k4.L);
-                _l = _coasting.AngularFactorPerStep * _l;
+                _q = (q + sixth * (q1 + 2 * (q2 + q3) + q4)).Normalized;
+                _l = _coasting.AngularFactorPerStep * (l + sixth * (l1 + 2 * (l2 + l3) + l4));
             }
         }
 
-        private Rates RatesAfter<TPush>(double t, in Instant now, in Rates k, ref TPush push) where TPush : struct, IPush =>
-            RatesAt(now.Later(t), _v + t * k.V, _x + t * k.X, _q + t * k.Q, _l + t * k.L, ref push);
-
-        private Rates RatesAt<TPush>(in Instant at, Vector3d v, Vector3d x, Quaterniond q, Vector3d l, ref TPush push)
+        private void RatesAt<TPush>(
+            in Instant at,
+            in Vector3d x,
+            in Vector3d v,
+            in Quaterniond q,
+            in Vector3d l,
+            ref TPush push,
+            out Vector3d acceleration,
+            out Quaterniond turning,
+            out Vector3d torque)
             where TPush : struct, IPush
         {
             const PushTraits Reads =
                 PushTraits.ReadsPosition | PushTraits.ReadsOrientation | PushTraits.ReadsAngularVelocity | PushTraits.ReadsVelocity;
-            // between the stages q is longer than 1; the turn it stands for is that of the unit quaternion
-            Quaterniond turn = q.Normalized;
-            Vector3d w = Vector3d.Scale(_inverseMoments, turn.RotateInverse(l));
+            // between the stages q is longer than 1; the turn it stands for is v ↦ q* v q / |q|²
+            double twice = 2 / q.LengthSquared;
+            Vector3d u = q.Vector, t = twice * Vector3d.Cross(u, l);
+            Vector3d w = 0.5 * Vector3d.Scale(_inverseMoments, l - q.W * t + Vector3d.Cross(u, t));
+            // q [0, ω/2]
+            turning = new Quaterniond(-Vector3d.Dot(u, w), q.W * w + Vector3d.Cross(u, w));
+            torque = -_coasting.AngularDampingRate * l;
+            acceleration = _coasting.Acceleration - _coasting.LinearDampingRate * v;
+            if ((push.Traits & (PushTraits.Moves | PushTraits.Turns)) == 0)
+                return;
+
             Wrench load = default(Wrench);
-            push.At(at, (push.Traits & Reads) != 0 ? At(x, v, turn, l) : default(BodyState), _mass, ref load);
-            return new Rates
+            if ((push.Traits & Reads) != 0)
+                push.At(at, At(x, v, q.Normalized, l), _mass, ref load);
+            else
+                push.At(at, default(BodyState), _mass, ref load);
+
+            acceleration += _mass.InverseMass * load.Force;
+            torque += load.Torque;
+            if (!load.BodyTorque.IsZero)
             {
-                X = v,
-                V = _mass.InverseMass * load.Force + _coasting.Acceleration - _coasting.LinearDampingRate * v,
-                Q = 0.5 * (q * new Quaterniond(0, w)),
-                L = load.TorqueInWorld(_axes.ToBody(turn)) - _coasting.AngularDampingRate * l,
-            };
+                Vector3d b = _axes.FromBody(load.BodyTorque), s = twice * Vector3d.Cross(u, b);
+                torque += b + q.W * s + Vector3d.Cross(u, s);
+            }
         }
 
         private BodyState At(Vector3d x, Vector3d v, Quaterniond q, Vector3d l)
@@ -91,12 +115,6 @@ namespace RigidBodyDynamics
             Quaterniond body = _axes.ToBody(q);
             Vector3d w = body.Rotate(_axes.ToBody(Vector3d.Scale(_inverseMoments, q.RotateInverse(l))));
             return new BodyState(_isOffCenter ? x - body.Rotate(_mass.CenterOfMass) : x, body, v, w);
-        }
-
-        private struct Rates
-        {
-            public Vector3d X, V, L;
-            public Quaterniond Q;
         }
     }
 }
