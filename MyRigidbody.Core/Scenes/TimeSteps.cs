@@ -43,6 +43,9 @@ namespace RigidBodyDynamics
         /// <summary>How many steps there are; <see cref="long.MaxValue"/> where there is no end.</summary>
         public long Count { get; }
 
+        /// <summary>The first step that is not as long as the first of all; −1 if all are.</summary>
+        internal long FirstOfOtherLength => _lengths == null ? -1 : Array.FindIndex(_lengths, length => length != _lengths[0]);
+
         /// <summary>Steps of one length (s), without end.</summary>
         public static TimeSteps Every(double length) => new TimeSteps(length, long.MaxValue);
 
