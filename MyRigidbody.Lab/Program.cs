@@ -20,6 +20,8 @@ internal static class Program
         {
             CompareCommand.Create(),
             RunCommand.Create(),
+            CostCommand.Create(),
+            ChooseCommand.Create(),
             IntegratorsCommand.Create(),
         };
         // with no command at all: the lab's scene, both bodies

@@ -70,6 +70,7 @@ internal static class CompareCommand
             }
         });
 
+        Pictures.NoteIfThereAreNoFonts();
         using Files files = new(folder, folder);
         files.Write("trajectory.csv", to => WriteTrajectory(trajectory, file.Path, to));
         files.Write("apart.csv", to => File.WriteAllText(to, CompareSummary.Csv(found)));
@@ -80,8 +81,8 @@ internal static class CompareCommand
             string ending = found.Count > 1 ? "-" + (i + 1) : string.Empty;
             foreach (string format in new[] { ".png", ".svg" })
             {
-                files.Write($"apart{ending}{format}", to => ComparePictures.Save(ComparePictures.Apart(scene, pair), to));
-                files.Write($"rules{ending}{format}", to => ComparePictures.Save(ComparePictures.Rules(scene, pair), to));
+                files.Write($"apart{ending}{format}", to => Pictures.Save(ComparePictures.Apart(scene, pair), to));
+                files.Write($"rules{ending}{format}", to => Pictures.Save(ComparePictures.Rules(scene, pair), to));
             }
         }
 

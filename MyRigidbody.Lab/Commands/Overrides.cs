@@ -43,7 +43,8 @@ internal static class Overrides
         }
     }
 
-    private static T Named<T>(string option, Func<T> make)
+    /// <summary>Makes something; what the Core refuses is an error of the option or file of that name.</summary>
+    internal static T Named<T>(string option, Func<T> make)
     {
         try
         {

@@ -1,3 +1,4 @@
+using RigidBodyDynamics.Lab.Output;
 using ScottPlot;
 using ScottPlot.Hatches;
 using ScottPlot.Plottables;
@@ -7,13 +8,12 @@ namespace RigidBodyDynamics.Lab.Comparison;
 /// <summary>A comparison as pictures.</summary>
 internal static class ComparePictures
 {
-    private const int Width = 1000, Height = 560;
     private static readonly Color Blue = Color.FromHex("#1f5fa8"), Orange = Color.FromHex("#c8550a");
 
     /// <summary>Distance and angle over time; solid and dashed, so that they can be told apart without colour.</summary>
     public static Plot Apart(Scene scene, Findings found)
     {
-        Plot plot = New($"{scene.Name}: how far {found.Pair.Mine.Name} and {found.Pair.Default.Name} part");
+        Plot plot = Pictures.New($"{scene.Name}: how far {found.Pair.Mine.Name} and {found.Pair.Default.Name} part");
         double[] time = [.. found.Course.Select(row => row.Apart.Time)];
         Scatter distance = plot.Add.ScatterLine(time, found.Course.Select(row => row.Apart.Distance).ToArray(), Blue);
         distance.LegendText = "distance (left)";
@@ -38,7 +38,7 @@ internal static class ComparePictures
     /// <summary>The share of each rule in the mean distance and in the mean difference of turning, per cent.</summary>
     public static Plot Rules(Scene scene, Findings found)
     {
-        Plot plot = New($"{scene.Name}: which rule makes how much of the difference");
+        Plot plot = Pictures.New($"{scene.Name}: which rule makes how much of the difference");
         IReadOnlyList<RuleShare> shares = found.Shares.Shares;
         Add(plot, shares, share => share.Distance / found.Shares.Whole.MeanDistance, 0.2, Fill(Blue, null));
         Add(plot, shares, share => share.Turn / found.Shares.Whole.MeanTurn, -0.2, Fill(Orange, new Striped()));
@@ -51,27 +51,6 @@ internal static class ComparePictures
         plot.Legend.ManualItems.Add(Entry("of the distance", Fill(Blue, null)));
         plot.Legend.ManualItems.Add(Entry("of the turn", Fill(Orange, new Striped())));
         plot.ShowLegend(Edge.Bottom);
-        return plot;
-    }
-
-    /// <summary>Writes a plot in the format of the path's ending.</summary>
-    public static void Save(Plot plot, string path)
-    {
-        if (Path.GetExtension(path) == ".svg")
-            plot.SaveSvg(path, Width, Height);
-        else
-            plot.SavePng(path, Width, Height);
-    }
-
-    private static Plot New(string title)
-    {
-        Plot plot = new();
-        plot.Title(title, 20);
-        plot.Legend.FontSize = 15;
-        plot.Axes.Bottom.TickLabelStyle.FontSize = 14;
-        plot.Axes.Left.TickLabelStyle.FontSize = 14;
-        plot.Axes.Right.TickLabelStyle.FontSize = 14;
-        plot.Font.Automatic();
         return plot;
     }
 

@@ -36,7 +36,8 @@ internal sealed class TrajectoryCsv(TextWriter writer)
         }
     }
 
-    private static string Quoted(string name) =>
+    /// <summary>A text as a cell of a table.</summary>
+    internal static string Quoted(string name) =>
         name.AsSpan().IndexOfAny(",\"\n\r") < 0 ? name : "\"" + name.Replace("\"", "\"\"") + "\"";
 
     private void Write(Vector3d vector)

@@ -1,0 +1,110 @@
+using System.CommandLine;
+using System.Text.Json;
+using RigidBodyDynamics.Lab.Comparison;
+using RigidBodyDynamics.Lab.Output;
+using Spectre.Console;
+
+namespace RigidBodyDynamics.Lab.Commands;
+
+/// <summary>The cheapest integrator and step that keep the error of a scene below a bound.</summary>
+internal static class ChooseCommand
+{
+    private const double SecondsPerTurn = 0.005;
+    private const int Turns = 20;
+
+    public static Command Create()
+    {
+        Argument<string> scene = new("SCENE") { Description = "a scene file" };
+        Option<double> error = new("--error")
+        {
+            Description = "the larger of the angle (rad) and the distance (m) to the true motion, at any time",
+            HelpName = "E",
+            Required = true,
+        };
+        Option<bool> json = new("--json") { Description = "as JSON" };
+        Command command = new("choose", "The cheapest integrator and step that keep the error below E, by measurement") { scene, error, json };
+        command.SetAction(parsed => Execute(parsed.GetValue(scene)!, parsed.GetValue(error), parsed.GetValue(json)));
+        return command;
+    }
+
+    private static int Execute(string path, double error, bool asJson)
+    {
+        Overrides.Named("--error", () => Guard.Positive(error, "E"));
+        Scene scene = Overrides.Named(path, () => StepFree.Of(SceneReader.Read(path).Scene));
+        Advice advice = null!;
+        Trial lab = null!;
+        Terminal.WithProgress("choose " + scene.Name, report =>
+        {
+            advice = Overrides.Named(path, () => Advisor.Choose(scene, error, report));
+            // the lab's step beside the chosen one, in turns
+            lab = Trial.Of(scene, advice.Truth, Catalogue.Find("LabEuler"), (int)Math.Round(advice.Truth.BaseStep / advice.Best.Step));
+            StepClock.Take([lab, advice.Best], SecondsPerTurn, Turns);
+        });
+
+        if (asJson)
+            Console.Out.WriteLine(Json(scene, error, advice, lab));
+        else
+            Print(scene, error, advice, lab);
+
+        return advice.Reached
+            ? 0
+            : throw new FellShortException(FormattableString.Invariant($"{path}: no integrator and step keep the error below {error:R}: {advice.Reason}"));
+    }
+
+    private static void Print(Scene scene, double error, Advice advice, Trial lab)
+    {
+        Table table = Terminal.NewTable("", "integrator", "step, s", "error", "µs per s", "× lab");
+        foreach (TableColumn column in table.Columns.Skip(2))
+        {
+            column.RightAligned();
+        }
+
+        Add(advice.Reached ? "cheapest" : "closest", advice.Best);
+        if (advice.RunnerUp != null)
+        {
+            Add("next", advice.RunnerUp);
+        }
+
+        Terminal.Out.WriteLine(FormattableString.Invariant($"{scene.Name}: error below {error:R} (the larger of rad and m)"));
+        Terminal.Out.Write(table);
+        Terminal.Out.WriteLine("µs per s: per simulated second and body. × lab: a step, in steps of LabEuler.");
+        if (advice.RunnerUp != null)
+        {
+            Terminal.Out.WriteLine($"{advice.RunnerUp.Row.Name} costs {CostTables.Number(advice.Factor)} times as much as {advice.Best.Row.Name}.");
+        }
+
+        void Add(string what, Trial trial) => table.AddRow(
+            new Text(what),
+            new Text(trial.Row.Name),
+            new Text(CostTables.Step(trial.Step)),
+            new Text(CostTables.Error(trial.Error)),
+            new Text(CostTables.Number(1e6 * trial.Cost)),
+            new Text(CostTables.Number(trial.NanosecondsPerStep / lab.NanosecondsPerStep)));
+    }
+
+    private static string Json(Scene scene, double error, Advice advice, Trial lab) => JsonSerializer.Serialize(
+        new
+        {
+            scene = scene.Name,
+            error,
+            reached = advice.Reached,
+            reason = advice.Reached ? null : advice.Reason,
+            integrator = advice.Best.Row.Name,
+            step = advice.Best.Step,
+            measuredError = OrNull(advice.Best.Error),
+            secondsPerSimulatedSecond = OrNull(advice.Best.Cost),
+            stepsOfTheLab = OrNull(advice.Best.NanosecondsPerStep / lab.NanosecondsPerStep),
+            runnerUp = advice.RunnerUp == null ? null : new
+            {
+                integrator = advice.RunnerUp.Row.Name,
+                step = advice.RunnerUp.Step,
+                measuredError = advice.RunnerUp.Error,
+                secondsPerSimulatedSecond = advice.RunnerUp.Cost,
+                timesAsDear = advice.Factor,
+            },
+            truth = new { uncertainty = advice.Truth.Uncertainty, attainable = advice.Truth.Floor },
+        },
+        CompareSummary.Options);
+
+    private static double? OrNull(double value) => Guard.IsFinite(value) ? value : null;
+}

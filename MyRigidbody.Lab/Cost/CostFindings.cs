@@ -1,0 +1,62 @@
+namespace RigidBodyDynamics.Lab;
+
+/// <summary>Every rule of the catalogue on one motion, in steps of many lengths.</summary>
+/// <param name="Motion">The motion.</param>
+/// <param name="Trials">The trials, row by row, from the longest step down.</param>
+internal sealed record CostFindings(CostMotion Motion, IReadOnlyList<Trial> Trials)
+{
+    /// <summary>Errors for which the cheapest rule is named.</summary>
+    public static readonly double[] Bounds = [1e-3, 1e-6, 1e-9];
+
+    // of a motion of hours only the longer steps
+    private const long MostSteps = 20_000_000;
+
+    /// <summary>Takes the errors of all rules first, then the times of all.</summary>
+    public static CostFindings Of(CostMotion motion, Effort effort, Action<double> report)
+    {
+        long last = motion.Truth.Samples[^1].At;
+        int[] parts = [.. Advisor.Parts.Take(effort.StepSizes).Where(parts => last * parts <= MostSteps)];
+        List<Trial> trials = [];
+        foreach (CatalogueRow row in Catalogue.Rows)
+        {
+            foreach (int part in parts)
+            {
+                trials.Add(Trial.Of(motion.Scene, motion.Truth, row, part));
+                report(0.5 * trials.Count / (Catalogue.Rows.Count * parts.Length));
+            }
+        }
+
+        StepClock.Take(trials, effort.SecondsPerTurn, effort.Turns, done => report(0.5 + (0.5 * done)));
+        return new CostFindings(motion, trials);
+    }
+
+    /// <summary>The trials of a row, from the longest step down.</summary>
+    public IEnumerable<Trial> Of(CatalogueRow row) => Trials.Where(trial => trial.Row == row);
+
+    /// <summary>The trial of a row whose step is closest to a fiftieth of a second, as in a game.</summary>
+    public Trial InGame(CatalogueRow row) => Of(row).MinBy(trial => Math.Abs(Math.Log(trial.Step * 50)))!;
+
+    /// <summary>What a step of a row costs, in steps of the lab's rule taken in the same turns.</summary>
+    public double TimesLab(CatalogueRow row) =>
+        InGame(row).NanosecondsPerStep / InGame(Catalogue.Find("LabEuler")).NanosecondsPerStep;
+
+    /// <summary>The cheapest trial of a row below an error, or null.</summary>
+    public Trial? Cheapest(CatalogueRow row, double error) =>
+        Of(row).Where(trial => trial.Error < error).MinBy(trial => trial.Cost);
+
+    /// <summary>The cheapest trial of all below an error, or null.</summary>
+    public Trial? Cheapest(double error) => Trials.Where(trial => trial.Error < error).MinBy(trial => trial.Cost);
+}
+
+/// <summary>How thoroughly is measured.</summary>
+/// <param name="StepSizes">How many of the step sizes are tried.</param>
+/// <param name="SecondsPerTurn">How long a trial runs before the next has its turn, s.</param>
+/// <param name="Turns">How many turns there are, after one that does not count.</param>
+internal sealed record Effort(int StepSizes, double SecondsPerTurn, int Turns)
+{
+    /// <summary>For a page of results.</summary>
+    public static readonly Effort Whole = new(Advisor.Parts.Count, 0.015, 3);
+
+    /// <summary>For a first look.</summary>
+    public static readonly Effort Quick = new(8, 0.004, 2);
+}

@@ -1,0 +1,27 @@
+namespace RigidBodyDynamics.Lab;
+
+/// <summary>A scene whose true motion is known.</summary>
+/// <param name="Scene">As <see cref="StepFree"/> makes it.</param>
+/// <param name="Truth">Its motion.</param>
+/// <param name="IsSolved">True if the motion was computed elsewhere, to 20 digits; false if by our own integrators.</param>
+internal sealed record CostMotion(Scene Scene, Truth Truth, bool IsSolved)
+{
+    /// <summary>Where the true motion comes from, in words.</summary>
+    public string Origin => IsSolved
+        ? "true motion: solved to 20 digits"
+        : FormattableString.Invariant($"true motion: our own, in ever shorter steps until it stood still; uncertain by {Truth.Uncertainty:0.0e+0}");
+
+    /// <summary>The motion of a scene file.</summary>
+    public static CostMotion Of(string path, Action<double> report)
+    {
+        Scene scene = SceneReader.Read(path).Scene;
+        try
+        {
+            return new CostMotion(StepFree.Of(scene), Truth.Of(scene, report), IsSolved: false);
+        }
+        catch (ArgumentException refused)
+        {
+            throw new InputException($"{path}: {refused.Message}");
+        }
+    }
+}

@@ -1,0 +1,125 @@
+using RigidBodyDynamics.Lab.Output;
+using ScottPlot;
+using ScottPlot.Plottables;
+using ScottPlot.TickGenerators;
+
+namespace RigidBodyDynamics.Lab;
+
+/// <summary>Error against time, both logarithmic, a line an integrator: down and left is better.</summary>
+internal static class CostPictures
+{
+    /// <summary>Height, pixels: errors span sixteen powers of ten.</summary>
+    public const int Height = 720;
+
+    // an error of nothing has no logarithm
+    private const double Smallest = 1e-17, Grey = 0.35;
+
+    // after Okabe and Ito: told apart by those who see fewer colours too, and by their markers without any
+    private static readonly Color[] Colors =
+        [.. new[] { "#e69f00", "#1a1a1a", "#56b4e9", "#999999", "#cc79a7", "#009e73", "#7a5195", "#0072b2", "#d55e00", "#b00020" }.Select(Color.FromHex)];
+
+    private static readonly MarkerShape[] Markers =
+    [
+        MarkerShape.OpenCircle, MarkerShape.FilledCircle, MarkerShape.OpenSquare, MarkerShape.FilledSquare, MarkerShape.OpenDiamond,
+        MarkerShape.FilledDiamond, MarkerShape.OpenTriangleUp, MarkerShape.FilledTriangleUp, MarkerShape.FilledTriangleDown, MarkerShape.Cross,
+    ];
+
+    /// <summary>The diagram of a motion.</summary>
+    public static Plot Of(CostFindings found)
+    {
+        Plot plot = Pictures.New($"{found.Motion.Scene.Name}: error against time");
+        for (int i = 0; i < Catalogue.Rows.Count; i++)
+        {
+            Add(plot, found, i);
+        }
+
+        AddFloor(plot, found.Motion.Truth);
+        if (found.Motion.IsSolved && found.Motion.Scene.Name == OtherEngine.Motion)
+        {
+            AddOthers(plot);
+        }
+
+        Frame(plot, found);
+        return plot;
+    }
+
+    private static void Add(Plot plot, CostFindings found, int i)
+    {
+        CatalogueRow row = Catalogue.Rows[i];
+        Trial[] trials = [.. found.Of(row).Where(trial => double.IsFinite(trial.Error))];
+        Scatter line = plot.Add.Scatter(
+            trials.Select(trial => Math.Log10(trial.Cost)).ToArray(),
+            trials.Select(trial => Log(trial.Error)).ToArray(),
+            Colors[i % Colors.Length]);
+        line.LegendText = row.Name;
+        line.LineWidth = 2;
+        line.LinePattern = i < Colors.Length ? LinePattern.Solid : LinePattern.Dotted;
+        line.MarkerShape = Markers[i % Markers.Length];
+        line.MarkerSize = 9;
+        line.MarkerLineWidth = 2;
+    }
+
+    private static void AddFloor(Plot plot, Truth truth)
+    {
+        HorizontalLine floor = plot.Add.HorizontalLine(Log(Math.Max(truth.Floor, truth.Uncertainty)), 1.5f, ScottPlot.Colors.Black);
+        floor.LinePattern = LinePattern.Dashed;
+        floor.LegendText = "attainable in double";
+    }
+
+    /// <summary>Numbers at the points, because most lie on a heap, and what they mean in the list at the side.</summary>
+    private static void AddOthers(Plot plot)
+    {
+        Color grey = ScottPlot.Colors.Black.WithAlpha(1 - Grey);
+        LabelPlaces places = new();
+        foreach (OtherEngine engine in OtherEngine.All)
+        {
+            places.Avoid(Math.Log10(engine.Cost), Log(engine.AngleError));
+        }
+
+        foreach (OtherEngine engine in OtherEngine.All.OrderBy(engine => engine.Cost))
+        {
+            Coordinates at = new(Math.Log10(engine.Cost), Log(engine.AngleError));
+            Coordinates label = places.Next(at, engine.Name);
+            plot.Add.Line(at, label).Color = grey;
+            plot.Add.Marker(at, MarkerShape.Eks, 9, grey).MarkerLineWidth = 2;
+            Text text = plot.Add.Text(engine.Name, label);
+            text.LabelFontSize = 12;
+            text.LabelFontColor = grey;
+            text.LabelAlignment = Alignment.MiddleLeft;
+            text.LabelBackgroundColor = ScottPlot.Colors.White.WithAlpha(0.7);
+        }
+
+        plot.Legend.ManualItems.Add(new LegendItem { LabelText = "other engines, 1/50 s", MarkerShape = MarkerShape.Eks, MarkerColor = grey, MarkerSize = 9 });
+    }
+
+    private static void Frame(Plot plot, CostFindings found)
+    {
+        Trial[] trials = [.. found.Trials.Where(trial => double.IsFinite(trial.Error))];
+        double left = trials.Min(trial => Math.Log10(trial.Cost)), right = trials.Max(trial => Math.Log10(trial.Cost));
+        double bottom = Math.Min(trials.Min(trial => Log(trial.Error)), Log(found.Motion.Truth.Floor));
+        plot.Axes.SetLimits(left - 0.2, right + 0.2, bottom - 0.5, Math.Max(1, trials.Max(trial => Log(trial.Error)) + 0.5));
+        plot.XLabel("time for a simulated second of one body, s", 16);
+        plot.YLabel("largest error, rad or m", 16);
+        plot.Axes.Bottom.TickGenerator = Powers(1);
+        plot.Axes.Left.TickGenerator = Powers(2);
+        plot.Grid.MinorLineColor = ScottPlot.Colors.Black.WithAlpha(0.05);
+        plot.Legend.FontSize = 13;
+        plot.ShowLegend(Edge.Right);
+    }
+
+    private static NumericManual Powers(int every)
+    {
+        NumericManual ticks = new();
+        for (int power = -18; power <= 12; power++)
+        {
+            if (power % every == 0)
+                ticks.AddMajor(power, FormattableString.Invariant($"1e{power}"));
+            else
+                ticks.AddMinor(power);
+        }
+
+        return ticks;
+    }
+
+    private static double Log(double error) => Math.Log10(Math.Max(error, Smallest));
+}

@@ -1,0 +1,62 @@
+using System.Globalization;
+using RigidBodyDynamics.Lab.Output;
+using Spectre.Console;
+using Spectre.Console.Rendering;
+
+namespace RigidBodyDynamics.Lab;
+
+/// <summary>Accuracy against time as a person reads it on a terminal.</summary>
+internal static class CostTables
+{
+    /// <summary>What the columns mean.</summary>
+    public const string Legend =
+        "at 1/50: error (larger of rad and m) in steps of 1/50 s. ns: time for a step of one body. × lab: the same in steps of LabEuler. "
+        + "to 1e-3 ...: the least that an error below it costs, in µs per simulated second and body.";
+
+    /// <summary>A row an integrator.</summary>
+    public static IRenderable Of(CostFindings found)
+    {
+        string[] bounds = [.. CostFindings.Bounds.Select(bound => "to " + Exponent(bound))];
+        Table table = Terminal.NewTable(["integrator", "at 1/50", "ns", "× lab", .. bounds]);
+        foreach (TableColumn column in table.Columns.Skip(1))
+        {
+            column.RightAligned();
+        }
+
+        foreach (CatalogueRow row in Catalogue.Rows)
+        {
+            Trial game = found.InGame(row);
+            IEnumerable<string> costs = CostFindings.Bounds.Select(bound => Number(1e6 * (found.Cheapest(row, bound)?.Cost ?? double.NaN)));
+            string[] cells = [row.Name, Error(game.Error), Number(game.NanosecondsPerStep), Number(found.TimesLab(row)), .. costs];
+            table.AddRow(cells.Select(cell => new Text(cell)));
+        }
+
+        Text title = new(FormattableString.Invariant(
+            $"{found.Motion.Scene.Name}: {found.Motion.Scene.About}\n{found.Motion.Origin}; attainable: {Error(found.Motion.Truth.Floor)}"));
+        return new Rows(title, table);
+    }
+
+    /// <summary>What to take for each error, in a sentence.</summary>
+    public static string InWords(CostFindings found)
+    {
+        IEnumerable<string> parts = CostFindings.Bounds.Select(bound => found.Cheapest(bound) is Trial best
+            ? $"to {Exponent(bound)} {best.Row.Name} in steps of {Step(best.Step)} s ({Number(1e6 * best.Cost)} µs)"
+            : $"to {Exponent(bound)} none");
+        return $"{found.Motion.Scene.Name}: {string.Join("; ", parts)}.";
+    }
+
+    /// <summary>An error with two digits.</summary>
+    public static string Error(double error) =>
+        double.IsFinite(error) ? error.ToString("0.0e+0", CultureInfo.InvariantCulture) : "∞";
+
+    /// <summary>A time or a ratio with three digits at most.</summary>
+    public static string Number(double value) =>
+        !double.IsFinite(value) ? "–"
+        : value is >= 99_999.5 or < 0.001 ? value.ToString("0.0e+0", CultureInfo.InvariantCulture)
+        : value.ToString(value >= 100 ? "0" : value >= 10 ? "0.0" : value >= 1 ? "0.00" : "0.000", CultureInfo.InvariantCulture);
+
+    /// <summary>A step with the digits that it has.</summary>
+    public static string Step(double step) => step.ToString("G4", CultureInfo.InvariantCulture);
+
+    private static string Exponent(double bound) => bound.ToString("0e+0", CultureInfo.InvariantCulture);
+}

@@ -1,0 +1,65 @@
+using ScottPlot;
+using SkiaSharp;
+
+namespace RigidBodyDynamics.Lab.Output;
+
+/// <summary>What all pictures have in common: size, fonts, formats.</summary>
+internal static class Pictures
+{
+    /// <summary>Width of every picture, pixels.</summary>
+    public const int Width = 1000;
+
+    private const int UsualHeight = 560;
+
+    // the first that is installed is taken
+    private static readonly string[] SansFonts =
+        ["DejaVu Sans", "Liberation Sans", "Noto Sans", "Open Sans", "Segoe UI", "Helvetica Neue", "Helvetica", "Arial", "Verdana"];
+
+    /// <summary>A plot with a title.</summary>
+    public static Plot New(string title)
+    {
+        Fonts.Default = SansFont();
+        Plot plot = new();
+        plot.Font.Set(Fonts.Default);
+        plot.Title(title, 20);
+        if (Lacks(Fonts.Default, title))
+        {
+            // the name of a scene may be in any language
+            plot.Axes.Title.Label.SetBestFont();
+        }
+
+        plot.Legend.FontSize = 15;
+        plot.Axes.Bottom.TickLabelStyle.FontSize = 14;
+        plot.Axes.Left.TickLabelStyle.FontSize = 14;
+        plot.Axes.Right.TickLabelStyle.FontSize = 14;
+        return plot;
+    }
+
+    /// <summary>Writes a plot in the format of the path's ending.</summary>
+    public static void Save(Plot plot, string path, int height = UsualHeight)
+    {
+        if (Path.GetExtension(path) == ".svg")
+            plot.SaveSvg(path, Width, height);
+        else
+            plot.SavePng(path, Width, height);
+    }
+
+    /// <summary>Says so on standard error where pictures will have no text.</summary>
+    public static void NoteIfThereAreNoFonts()
+    {
+        if (SKFontManager.Default.FontFamilyCount == 0)
+        {
+            Console.Error.WriteLine("note: no font on this machine: pictures have lines but no text; install one (Debian: fonts-dejavu-core)");
+        }
+    }
+
+    /// <summary>What a system calls its default font may have serifs.</summary>
+    private static string SansFont() =>
+        SansFonts.FirstOrDefault(name => SKFontManager.Default.FontFamilies.Contains(name)) ?? Fonts.Default;
+
+    private static bool Lacks(string font, string text)
+    {
+        using SKTypeface face = SKTypeface.FromFamilyName(font);
+        return !face.ContainsGlyphs(text);
+    }
+}
