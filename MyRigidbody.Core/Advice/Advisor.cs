@@ -7,6 +7,9 @@ namespace RigidBodyDynamics
     /// <summary>Finds out by trying, at load time, by which rule and in which steps a scene should run.</summary>
     public static class Advisor
     {
+        /// <summary>Costs that differ by no more than this factor are the same to the clock; the row that stands first is then taken.</summary>
+        public const double SameCost = 1.03;
+
         private const double SecondsPerTurn = 0.005, ManyBits = 1e-9;
         private const int Turns = 20;
         private const long MostSteps = 20_000_000;
@@ -62,8 +65,18 @@ namespace RigidBodyDynamics
                 return new Advice(truth, closest, null, Why(truth, closest, error, risesAgain));
 
             StepClock.Take(below, SecondsPerTurn, Turns, done => progress?.Invoke(0.8 + 0.2 * done));
-            below.Sort((a, b) => a.Cost.CompareTo(b.Cost));
-            return new Advice(truth, below[0], below.Count > 1 ? below[1] : null, string.Empty);
+            Trial best = below.Find(trial => trial.Cost <= SameCost * Cheapest(below).Cost);
+            below.Remove(best);
+            return new Advice(truth, best, Cheapest(below), string.Empty);
+        }
+
+        private static Trial Cheapest(List<Trial> trials)
+        {
+            Trial cheapest = null;
+            foreach (Trial trial in trials)
+                cheapest = cheapest == null || trial.Cost < cheapest.Cost ? trial : cheapest;
+
+            return cheapest;
         }
 
         private static string Why(Truth truth, Trial closest, double error, bool risesAgain)
@@ -72,7 +85,7 @@ namespace RigidBodyDynamics
                 return Words("chaos: the last bit of the start alone moves the answer by {0:0.0e+0}", truth.Floor);
 
             if (truth.Floor >= error || risesAgain)
-                return Words("rounding floor: the last bit of the start alone makes {0:0.0e+0}, and shorter steps round more often", truth.Floor);
+                return Words("rounding floor, about {0:0.0e+0}: below it the last bits decide, and shorter steps only round more often", truth.Floor);
 
             return truth.Uncertainty >= error
                 ? Words("the reference: the motion itself could only be found to {0:0.0e+0}", truth.Uncertainty)

@@ -10,15 +10,19 @@ namespace RigidBodyDynamics
         // so many steps take long beside a look at the clock
         private const long Chunk = 2000;
 
+        // a runtime that compiles again what runs often has done so by then, s
+        private const double WarmUp = 0.3;
+
         /// <summary>Takes the time of trials in turns, so that what slows the machine for a while slows all of them.</summary>
         /// <param name="trials">The trials; their <see cref="Trial.NanosecondsPerStep"/> is set.</param>
         /// <param name="seconds">How long each of them runs in a turn.</param>
-        /// <param name="repeats">How many turns count, after one that does not; the shortest time is kept.</param>
+        /// <param name="repeats">How many turns count, after some that do not; the shortest time is kept.</param>
         /// <param name="progress">Told the fraction that is done.</param>
         public static void Take(IReadOnlyList<Trial> trials, double seconds, int repeats, Action<double> progress = null)
         {
             Guard.Positive(seconds, nameof(seconds));
-            for (int turn = 0; turn <= repeats; turn++)
+            Stopwatch warm = Stopwatch.StartNew();
+            for (int turn = 0; turn <= repeats; turn += turn > 0 || warm.Elapsed.TotalSeconds > WarmUp || trials.Count == 0 ? 1 : 0)
             {
                 for (int i = 0; i < trials.Count; i++)
                 {

@@ -46,20 +46,6 @@ namespace RigidBodyDynamics
         /// <param name="progress">Told the fraction that is done.</param>
         /// <remarks>The uncertainty is the last change; the floor, what a start moved by its last bits changes.</remarks>
         public static Truth Of(Scene scene, Action<double> progress = null) => new Refinement(StepFree.Of(scene)).Run(progress ?? (done => { }));
-
-        /// <summary>How far states are from other states of the same bodies, the larger of rad and m; infinite if it is no number.</summary>
-        internal static double Apart(IReadOnlyList<BodyState> a, IReadOnlyList<BodyState> b)
-        {
-            double apart = 0;
-            for (int i = 0; i < a.Count; i++)
-            {
-                double angle = Conserved.AngleBetween(a[i].Orientation, b[i].Orientation);
-                double distance = (a[i].Position - b[i].Position).Length;
-                apart = angle + distance < double.PositiveInfinity ? Math.Max(apart, Math.Max(angle, distance)) : double.PositiveInfinity;
-            }
-
-            return apart;
-        }
     }
 
     /// <summary>The bodies of a scene at one time.</summary>

@@ -29,7 +29,7 @@ internal static class ChooseCommand
 
     private static int Execute(string path, double error, bool asJson)
     {
-        Overrides.Named("--error", () => Guard.Positive(error, "E"));
+        Overrides.Named("--error", () => Guard.Positive(error, "error"));
         Scene scene = Overrides.Named(path, () => StepFree.Of(SceneReader.Read(path).Scene));
         Advice advice = null!;
         Trial lab = null!;

@@ -30,7 +30,7 @@ internal static class CostCommand
 
     private static int Execute(string[] paths, string folder, bool quick)
     {
-        // files that are wrong are refused before minutes are spent on others
+        // what is wrong is refused before minutes are spent
         foreach (string path in paths)
         {
             Overrides.Named(path, () => StepFree.Of(SceneReader.Read(path).Scene));
@@ -44,6 +44,8 @@ internal static class CostCommand
                 .Select(motion => (Func<Action<double>, CostMotion>)(_ => SolvedMotion.Read(motion.Name, motion.Until))));
         }
 
+        using Files files = new(folder, folder);
+        Pictures.NoteIfThereAreNoFonts();
         List<CostFindings> found = [];
         Terminal.WithProgress("cost", report =>
         {
@@ -53,15 +55,13 @@ internal static class CostCommand
                 found.Add(CostFindings.Of(read, quick ? Effort.Quick : Effort.Whole, done => report((found.Count + 0.3 + (0.7 * done)) / motions.Count)));
             }
         });
-        Write(found, folder);
+        Write(found, files);
         Print(found, folder);
         return 0;
     }
 
-    private static void Write(List<CostFindings> found, string folder)
+    private static void Write(List<CostFindings> found, Files files)
     {
-        Pictures.NoteIfThereAreNoFonts();
-        using Files files = new(folder, folder);
         files.Write("cost.csv", to => File.WriteAllText(to, CostCsv.Of(found)));
         HashSet<string> taken = [];
         foreach (CostFindings findings in found)

@@ -44,8 +44,12 @@ internal sealed record CostFindings(CostMotion Motion, IReadOnlyList<Trial> Tria
     public Trial? Cheapest(CatalogueRow row, double error) =>
         Of(row).Where(trial => trial.Error < error).MinBy(trial => trial.Cost);
 
-    /// <summary>The cheapest trial of all below an error, or null.</summary>
-    public Trial? Cheapest(double error) => Trials.Where(trial => trial.Error < error).MinBy(trial => trial.Cost);
+    /// <summary>The cheapest trial of all below an error, or null; of those that cost the same within the clock's doubt, the first.</summary>
+    public Trial? Cheapest(double error)
+    {
+        Trial[] below = [.. Trials.Where(trial => trial.Error < error)];
+        return below.FirstOrDefault(trial => trial.Cost <= Advisor.SameCost * below.Min(other => other.Cost));
+    }
 }
 
 /// <summary>How thoroughly is measured.</summary>
@@ -55,8 +59,8 @@ internal sealed record CostFindings(CostMotion Motion, IReadOnlyList<Trial> Tria
 internal sealed record Effort(int StepSizes, double SecondsPerTurn, int Turns)
 {
     /// <summary>For a page of results.</summary>
-    public static readonly Effort Whole = new(Advisor.Parts.Count, 0.015, 3);
+    public static readonly Effort Whole = new(Advisor.Parts.Count, 0.003, 15);
 
     /// <summary>For a first look.</summary>
-    public static readonly Effort Quick = new(8, 0.004, 2);
+    public static readonly Effort Quick = new(8, 0.002, 5);
 }

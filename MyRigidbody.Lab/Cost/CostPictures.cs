@@ -34,12 +34,13 @@ internal static class CostPictures
         }
 
         AddFloor(plot, found.Motion.Truth);
-        if (found.Motion.IsSolved && found.Motion.Scene.Name == OtherEngine.Motion)
+        bool hasOthers = found.Motion.IsSolved && found.Motion.Scene.Name == OtherEngine.Motion;
+        Frame(plot, found, hasOthers);
+        if (hasOthers)
         {
             AddOthers(plot);
         }
 
-        Frame(plot, found);
         return plot;
     }
 
@@ -66,51 +67,65 @@ internal static class CostPictures
         floor.LegendText = "attainable in double";
     }
 
-    /// <summary>Numbers at the points, because most lie on a heap, and what they mean in the list at the side.</summary>
+    /// <summary>Most of them lie on a heap, so a label may stand apart from its point, at the end of a line.</summary>
     private static void AddOthers(Plot plot)
     {
         Color grey = ScottPlot.Colors.Black.WithAlpha(1 - Grey);
-        LabelPlaces places = new();
-        foreach (OtherEngine engine in OtherEngine.All)
+        LabelPlaces places = new(plot.Axes.GetLimits());
+        foreach (Scatter line in plot.GetPlottables().OfType<Scatter>())
         {
-            places.Avoid(Math.Log10(engine.Cost), Log(engine.AngleError));
+            places.Avoid(line.Data.GetScatterPoints());
         }
 
-        foreach (OtherEngine engine in OtherEngine.All.OrderBy(engine => engine.Cost))
+        foreach (OtherEngine engine in OtherEngine.All)
         {
-            Coordinates at = new(Math.Log10(engine.Cost), Log(engine.AngleError));
-            Coordinates label = places.Next(at, engine.Name);
-            plot.Add.Line(at, label).Color = grey;
-            plot.Add.Marker(at, MarkerShape.Eks, 9, grey).MarkerLineWidth = 2;
+            places.Avoid([At(engine)]);
+        }
+
+        // from the right, so that the lines do not cross
+        foreach (OtherEngine engine in OtherEngine.All.OrderByDescending(engine => engine.Cost))
+        {
+            Coordinates label = places.Next(At(engine), engine.Name);
+            plot.Add.Line(At(engine), label).Color = grey;
+            plot.Add.Marker(At(engine), MarkerShape.Eks, 9, grey).MarkerLineWidth = 2;
             Text text = plot.Add.Text(engine.Name, label);
-            text.LabelFontSize = 12;
+            text.LabelFontSize = LabelPlaces.FontSize;
             text.LabelFontColor = grey;
             text.LabelAlignment = Alignment.MiddleLeft;
-            text.LabelBackgroundColor = ScottPlot.Colors.White.WithAlpha(0.7);
         }
 
         plot.Legend.ManualItems.Add(new LegendItem { LabelText = "other engines, 1/50 s", MarkerShape = MarkerShape.Eks, MarkerColor = grey, MarkerSize = 9 });
     }
 
-    private static void Frame(Plot plot, CostFindings found)
+    private static Coordinates At(OtherEngine engine) => new(Math.Log10(engine.Cost), Log(engine.AngleError));
+
+    private static void Frame(Plot plot, CostFindings found, bool hasOthers)
     {
         Trial[] trials = [.. found.Trials.Where(trial => double.IsFinite(trial.Error))];
         double left = trials.Min(trial => Math.Log10(trial.Cost)), right = trials.Max(trial => Math.Log10(trial.Cost));
         double bottom = Math.Min(trials.Min(trial => Log(trial.Error)), Log(found.Motion.Truth.Floor));
-        plot.Axes.SetLimits(left - 0.2, right + 0.2, bottom - 0.5, Math.Max(1, trials.Max(trial => Log(trial.Error)) + 0.5));
+        double top = Math.Max(1, trials.Max(trial => Log(trial.Error)) + 0.5), largest = top;
+        if (hasOthers)
+        {
+            // room for their labels
+            right = Math.Max(right, OtherEngine.All.Max(engine => At(engine).X) + 1);
+            top += 3.4;
+        }
+
+        plot.Axes.SetLimits(left - 0.2, right + 0.2, bottom - 0.5, top);
         plot.XLabel("time for a simulated second of one body, s", 16);
         plot.YLabel("largest error, rad or m", 16);
-        plot.Axes.Bottom.TickGenerator = Powers(1);
-        plot.Axes.Left.TickGenerator = Powers(2);
+        plot.Axes.Bottom.TickGenerator = Powers(1, right);
+        plot.Axes.Left.TickGenerator = Powers(2, largest);
         plot.Grid.MinorLineColor = ScottPlot.Colors.Black.WithAlpha(0.05);
         plot.Legend.FontSize = 13;
         plot.ShowLegend(Edge.Right);
     }
 
-    private static NumericManual Powers(int every)
+    private static NumericManual Powers(int every, double last)
     {
         NumericManual ticks = new();
-        for (int power = -18; power <= 12; power++)
+        for (int power = -18; power <= last + 1; power++)
         {
             if (power % every == 0)
                 ticks.AddMajor(power, FormattableString.Invariant($"1e{power}"));

@@ -2,29 +2,53 @@ using ScottPlot;
 
 namespace RigidBodyDynamics.Lab;
 
-/// <summary>Finds places for labels at which they lie neither on each other nor on points.</summary>
-internal sealed class LabelPlaces
+/// <summary>Finds places for labels at which they lie neither on each other nor on lines and points.</summary>
+/// <param name="limits">Of the axes.</param>
+internal sealed class LabelPlaces(AxisLimits limits)
 {
-    // sizes in powers of ten, as the diagram of errors has them: about 100 pixels one across, 40 one down
-    private const double Letter = 0.075, Line = 0.45, Beside = 0.12;
+    /// <summary>Of the labels, pixels.</summary>
+    public const float FontSize = 12;
 
-    private readonly List<(double Left, double Right, double Bottom, double Top)> _taken = [];
+    // about what is left of the picture between the axes and the legend, pixels; then a letter, a line and a marker
+    private const double Width = 690, Height = 620, Letter = 7.2, Line = 16, Beside = 10, Marker = 6;
 
-    /// <summary>Keeps labels away from a point.</summary>
-    public void Avoid(double x, double y) => _taken.Add((x - 0.07, x + 0.07, y - 0.15, y + 0.15));
+    private readonly List<PixelRect> _taken = [];
+
+    /// <summary>Keeps labels away from a line through some points.</summary>
+    public void Avoid(IReadOnlyList<Coordinates> line)
+    {
+        for (int i = 0; i < line.Count; i++)
+        {
+            Coordinates from = line[Math.Max(0, i - 1)];
+            int count = (int)(1 + (Math.Abs(X(line[i].X) - X(from.X)) / Marker));
+            for (int part = 0; part < count; part++)
+            {
+                double share = (double)part / count;
+                double x = X(line[i].X + (share * (from.X - line[i].X))), y = Y(line[i].Y + (share * (from.Y - line[i].Y)));
+                _taken.Add(Box(x - Marker, x + Marker, y, Marker));
+            }
+        }
+    }
 
     /// <summary>The middle of the left edge of a label for a point: beside it, or else as little above as is free.</summary>
     public Coordinates Next(Coordinates point, string text)
     {
-        for (int up = 0; ; up++)
+        double left = X(point.X) + Beside;
+        for (double y = Y(point.Y); ; y += Line / 4)
         {
-            double left = point.X + Beside, y = point.Y + (up * Line / 2);
-            (double Left, double Right, double Bottom, double Top) box = (left, left + (Letter * text.Length), y - (Line / 2), y + (Line / 2));
-            if (!_taken.Any(other => other.Left < box.Right && box.Left < other.Right && other.Bottom < box.Top && box.Bottom < other.Top))
+            PixelRect box = Box(left, left + (Letter * text.Length), y, Line / 2);
+            if (!_taken.Any(other => other.Left < box.Right && box.Left < other.Right && other.Top < box.Bottom && box.Top < other.Bottom))
             {
                 _taken.Add(box);
-                return new Coordinates(left, y);
+                return new Coordinates(limits.Left + (left / Width * limits.HorizontalSpan), limits.Bottom + (y / Height * limits.VerticalSpan));
             }
         }
     }
+
+    private static PixelRect Box(double left, double right, double middle, double half) =>
+        new((float)left, (float)right, (float)(middle + half), (float)(middle - half));
+
+    private double X(double x) => (x - limits.Left) / limits.HorizontalSpan * Width;
+
+    private double Y(double y) => (y - limits.Bottom) / limits.VerticalSpan * Height;
 }

@@ -29,6 +29,16 @@ public sealed class BadInputTests
         Mistake(Folder + ": is a folder", "run", Gallery.Lab, "--out", Folder),
         Mistake(Text + ": cannot be written", "compare", Gallery.Lab, "--out", Text),
         Mistake("--step: the scene gives a force for every step", "run", TestData.Physx("b_torque_r.json"), "--step", "0.01"),
+        Mistake("--error", "choose", Gallery.Lab),
+        Mistake("--error: error: must be finite and above zero, found 0", "choose", Gallery.Lab, "--error", "0"),
+        Mistake("found NaN", "choose", Gallery.Lab, "--error", "NaN"),
+        Mistake("found -1", "choose", Gallery.Lab, "--error", "-1"),
+        Mistake("abc", "choose", Gallery.Lab, "--error", "abc"),
+        Mistake("missing.json", "choose", "missing.json", "--error", "1"),
+        Mistake("bodies[0].effects[0]: must not be given step by step", "choose", TestData.Physx("b_torque_r.json"), "--error", "1"),
+        Mistake("bodies[0].effects[0]: must not be given step by step", "cost", Gallery.Lab, TestData.Physx("b_torque_r.json")),
+        Mistake(Broken, "cost", Broken),
+        Mistake(Text + ": cannot be written", "cost", Path.Combine(Gallery.Folder, "fall-with-drag.json"), "--quick", "--out", Text),
         .. OperatingSystem.IsWindows() ? [] : new[] { Mistake("/dev/no such: is a device", "run", Gallery.Lab, "--out", "/dev/no such") },
     ];
 

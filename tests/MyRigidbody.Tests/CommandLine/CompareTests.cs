@@ -18,7 +18,7 @@ public sealed class CompareTests
         LabProcess lab = LabProcess.Run(folder.Path);
 
         Assert.That(lab.ExitCode, Is.Zero, lab.Error);
-        Assert.That(lab.Error, Is.Empty);
+        Assert.That(lab.Error, Is.Empty.Or.StartsWith("note: no font"));
         Assert.That(lab.Output, Does.Contain("limit of spin").And.Contain("damping").And.Contain("frames a second"));
         Assert.That(Directory.GetFiles(folder.File("out")).Select(Path.GetFileName), Is.EquivalentTo(Written));
     }
@@ -100,7 +100,7 @@ public sealed class CompareTests
 
         LabProcess help = LabProcess.Run(folder.Path, "--help"), version = LabProcess.Run(folder.Path, "--version");
 
-        Assert.That(help.Output, Does.Contain("compare").And.Contain("run").And.Contain("integrators"));
+        Assert.That(help.Output, Does.Contain("compare").And.Contain("run").And.Contain("cost").And.Contain("choose").And.Contain("integrators"));
         Assert.That(help.ExitCode, Is.Zero);
         Assert.That(version.Output.Trim(), Does.Match(@"^0\.1\.0(\+[0-9a-f]+)?$"));
     }
