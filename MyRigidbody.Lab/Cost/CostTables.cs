@@ -36,12 +36,16 @@ internal static class CostTables
         return new Rows(title, table);
     }
 
-    /// <summary>What to take for each error, in a sentence.</summary>
+    /// <summary>What to take for each error, in a sentence; errors for which it is the same stand together.</summary>
     public static string InWords(CostFindings found)
     {
-        IEnumerable<string> parts = CostFindings.Bounds.Select(bound => found.Cheapest(bound) is Trial best
-            ? $"to {Exponent(bound)} {best.Row.Name} in steps of {Step(best.Step)} s ({Number(1e6 * best.Cost)} µs)"
-            : $"to {Exponent(bound)} none");
+        IEnumerable<string> parts = CostFindings.Bounds.GroupBy(found.Cheapest).Select(same =>
+        {
+            string bounds = "to " + string.Join(", ", same.Select(Exponent));
+            return same.Key is Trial best
+                ? $"{bounds} {best.Row.Name} in steps of {Step(best.Step)} s ({Number(1e6 * best.Cost)} µs)"
+                : bounds + " none of these steps";
+        });
         return $"{found.Motion.Scene.Name}: {string.Join("; ", parts)}.";
     }
 
