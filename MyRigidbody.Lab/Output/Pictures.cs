@@ -47,7 +47,8 @@ internal static class Pictures
     /// <summary>Says so on standard error where pictures will have no text.</summary>
     public static void NoteIfThereAreNoFonts()
     {
-        if (SKFontManager.Default.FontFamilyCount == 0)
+        // where there is none, Skia counts one without a name
+        if (SKFontManager.Default.FontFamilies.All(string.IsNullOrEmpty))
         {
             Console.Error.WriteLine("note: no font on this machine: pictures have lines but no text; install one (Debian: fonts-dejavu-core)");
         }
