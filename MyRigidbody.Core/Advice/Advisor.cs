@@ -14,8 +14,8 @@ namespace RigidBodyDynamics
         private const int Turns = 20;
         private const long MostSteps = 20_000_000;
 
-        /// <summary>How many steps the truth's base step is divided into: from 0.1 s down to 0.1 ms where that is 0.1 s.</summary>
-        public static IReadOnlyList<int> Parts { get; } = new[] { 1, 2, 5, 10, 20, 50, 100, 200, 500, 1000 };
+        /// <summary>How many steps the truth's base step is divided into: from 1 s down to 0.1 ms where that is 1 s.</summary>
+        public static IReadOnlyList<int> Parts { get; } = new[] { 1, 2, 5, 10, 20, 50, 100, 200, 500, 1000, 2000, 5000, 10000 };
 
         /// <summary>The cheapest rule and step that keep a scene's error below a bound.</summary>
         /// <param name="scene">Taken as <see cref="StepFree"/> makes it.</param>

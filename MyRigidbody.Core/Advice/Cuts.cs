@@ -6,7 +6,7 @@ namespace RigidBodyDynamics
     /// <summary>The times at which a scene is looked at, and at which its effects begin and end: no step goes across one.</summary>
     internal sealed class Cuts
     {
-        private const double LongestBase = 0.1, Same = 1e-6;
+        private const double Same = 1e-6;
         private const int Samples = 20, MostBaseSteps = 1 << 16;
 
         private readonly List<double> _times = new List<double>();
@@ -14,10 +14,11 @@ namespace RigidBodyDynamics
         public Cuts(Scene scene)
         {
             double duration = scene.Steps.StartOf(scene.Steps.Count);
-            BaseStep = Math.Min(LongestBase, duration);
+            // so that there are ten samples or more
+            BaseStep = Math.Min(duration >= 10 ? 1 : 0.1, duration);
             double count = Math.Floor(duration / BaseStep + Same);
             if (!(count <= MostBaseSteps))
-                throw Guard.Refused("duration", duration, "must be at most " + MostBaseSteps / 10 + " s to be refined");
+                throw Guard.Refused("duration", duration, "must be at most " + MostBaseSteps + " s to be refined");
 
             for (int n = 0; n <= count; n++)
                 _times.Add(n * BaseStep);

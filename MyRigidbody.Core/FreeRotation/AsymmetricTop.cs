@@ -69,10 +69,13 @@ namespace RigidBodyDynamics
             _preparedFor = double.NaN;
         }
 
-        public void Damp(double factor)
+        public void Damp(in Decay decay)
         {
+            if (decay.IsNone)
+                return;
+
             // L' = L × ω − c L is free rotation of M = L e^(ct) in the time s, s' = e^(−ct): w itself is left alone
-            _scale *= factor;
+            _scale = decay.Of(_scale);
             if (_scale < 1e-100)
                 Fold();
         }

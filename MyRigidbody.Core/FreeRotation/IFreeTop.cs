@@ -21,7 +21,7 @@ namespace RigidBodyDynamics
         /// <summary>Adds an angular momentum, N m s: a part in world axes and a part in body axes.</summary>
         void Kick(in Vector3d world, in Vector3d body);
 
-        /// <summary>ω times a factor.</summary>
-        void Damp(double factor);
+        /// <summary>Takes off ω what damping takes.</summary>
+        void Damp(in Decay decay);
     }
 }

@@ -27,12 +27,12 @@ namespace RigidBodyDynamics
             _preparedFor = double.NaN;
         }
 
-        public void Damp(double factor)
+        public void Damp(in Decay decay)
         {
-            if (factor == 1)
+            if (decay.IsNone)
                 return;
 
-            _w = factor * _w;
+            _w = decay.Of(_w);
             _preparedFor = double.NaN;
         }
 

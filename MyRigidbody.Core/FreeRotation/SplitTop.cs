@@ -31,7 +31,7 @@ namespace RigidBodyDynamics
             _m += body.IsZero ? j : j + _axes.FromBody(body);
         }
 
-        public void Damp(double factor) => _m = factor * _m;
+        public void Damp(in Decay decay) => _m = decay.Of(_m);
 
         public void Advance(double time)
         {

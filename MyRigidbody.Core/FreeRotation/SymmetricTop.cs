@@ -48,13 +48,13 @@ namespace RigidBodyDynamics
             _preparedFor = double.NaN;
         }
 
-        public void Damp(double factor)
+        public void Damp(in Decay decay)
         {
-            if (factor == 1)
+            if (decay.IsNone)
                 return;
 
-            _w3 *= factor;
-            _momentum = factor * _momentum;
+            _w3 = decay.Of(_w3);
+            _momentum = decay.Of(_momentum);
             _preparedFor = double.NaN;
         }
 

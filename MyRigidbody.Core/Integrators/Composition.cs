@@ -16,6 +16,7 @@ namespace RigidBodyDynamics
         private double _dt;
         private Coasting _coasting;
         private bool _isPlain;
+        private Decay _perStep;
         private Drift _whole;
 
         public BodyState State => new BodyState(Origin(_top.Orientation), _top.Orientation, _v, _top.AngularVelocity);
@@ -40,6 +41,7 @@ namespace RigidBodyDynamics
             _dt = duration;
             _coasting = coasting;
             _whole = new Drift(coasting, duration);
+            _perStep = Decay.To(coasting.AngularFactorPerStep);
             _isPlain = coasting.Acceleration.IsZero && coasting.LinearDampingRate == 0 && coasting.AngularDampingRate == 0;
         }
 
@@ -66,7 +68,7 @@ namespace RigidBodyDynamics
             }
 
             _v = _coasting.LinearFactorPerStep * _v;
-            _top.Damp(_coasting.AngularFactorPerStep);
+            _top.Damp(_perStep);
         }
 
         private void Kick<TPush>(in Instant now, double duration, ref TPush push) where TPush : struct, IPush

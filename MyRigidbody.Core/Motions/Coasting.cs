@@ -45,7 +45,7 @@ namespace RigidBodyDynamics
         {
             Drift drift = new Drift(this, duration);
             drift.Move(ref body.Position, ref body.Velocity);
-            body.AngularVelocity = drift.AngularDecay * body.AngularVelocity;
+            body.AngularVelocity = drift.AngularDecay.Of(body.AngularVelocity);
         }
 
         private static double Decay(double rate, double duration) => rate == 0 ? 1 : Elementary.Exp(-rate * duration);

@@ -10,18 +10,18 @@ namespace RigidBodyDynamics
         public readonly double TurningTime;
 
         /// <summary>What is left of ω.</summary>
-        public readonly double AngularDecay;
+        public readonly Decay AngularDecay;
 
         private readonly double _s;
-        private readonly double _decay;
+        private readonly Decay _decay;
         private readonly Vector3d _fall;
         private readonly Vector3d _gain;
 
         /// <summary>The flow; the factors per step are left out.</summary>
         public Drift(in Coasting coasting, double duration)
         {
-            Decay(coasting.AngularDampingRate, duration, out AngularDecay, out TurningTime, out _);
-            Decay(coasting.LinearDampingRate, duration, out _decay, out _s, out double r);
+            AngularDecay = Of(coasting.AngularDampingRate, duration, out TurningTime, out _);
+            _decay = Of(coasting.LinearDampingRate, duration, out _s, out double r);
             _fall = r * coasting.Acceleration;
             _gain = _s * coasting.Acceleration;
         }
@@ -30,16 +30,16 @@ namespace RigidBodyDynamics
         public void Move(ref Vector3d x, ref Vector3d v)
         {
             x += _s * v + _fall;
-            v = _decay * v + _gain;
+            v = _decay.Of(v) + _gain;
         }
 
-        // with φ₁ and φ₂ nothing cancels for small c h
-        private static void Decay(double rate, double h, out double decay, out double s, out double r)
+        // with φ₁ and φ₂ nothing cancels for small c h, and 1 − e^(−ch) is c s
+        private static Decay Of(double rate, double h, out double s, out double r)
         {
             double z = rate * h;
-            decay = rate == 0 ? 1 : Elementary.Exp(-z);
             s = rate == 0 ? h : h * Elementary.Phi1(z);
             r = rate == 0 ? 0.5 * h * h : h * h * Elementary.Phi2(z);
+            return rate == 0 ? Decay.To(1) : new Decay(Elementary.Exp(-z), rate * s);
         }
     }
 }

@@ -62,5 +62,5 @@ internal sealed record Effort(int StepSizes, double SecondsPerTurn, int Turns)
     public static readonly Effort Whole = new(Advisor.Parts.Count, 0.003, 15);
 
     /// <summary>For a first look.</summary>
-    public static readonly Effort Quick = new(8, 0.002, 5);
+    public static readonly Effort Quick = new(11, 0.002, 5);
 }

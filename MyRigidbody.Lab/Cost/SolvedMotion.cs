@@ -6,7 +6,7 @@ namespace RigidBodyDynamics.Lab;
 internal static class SolvedMotion
 {
     // the samples are rounded to double when they are read
-    private const double Uncertainty = 1.2e-16, BaseStep = 0.1, Same = 1e-9;
+    private const double Uncertainty = 1.2e-16, BaseStep = 1, Same = 1e-9;
 
     /// <summary>Those that are measured, and up to which time, s.</summary>
     public static readonly IReadOnlyList<(string Name, double Until)> All =
