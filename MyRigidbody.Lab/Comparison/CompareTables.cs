@@ -23,7 +23,7 @@ internal static class CompareTables
             Shares(found.Shares),
             new Text("share: how far the exchange moves the body on the way from mine to Unity's, on average "
                 + "over the run; below zero where it takes back what another gives. "
-                + "alone: how far mine moves if only this rule is exchanged. turn: whole turns counted."),
+                + "alone: how far mine moves if only this rule is exchanged" + IfNotTheLabs(found) + ". turn: whole turns counted."),
             new Text(Environment.NewLine + InWords(found)),
         ];
         if (found.FrameRates.Count > 0)
@@ -155,6 +155,10 @@ internal static class CompareTables
     private static string Percent(double part, double whole) => whole > 0 ? Fixed(100 * part / whole, 1) + " %" : "–";
 
     private static string Ratio(double ratio) => Guard.IsFinite(ratio) ? Fixed(ratio, 2) : "–";
+
+    private static string IfNotTheLabs(Findings found) => found.Pair.Mine.Integrator == "LabEuler"
+        ? string.Empty
+        : $" (with {found.Pair.Mine.Integrator}, for the other rules are exchanged in the lab's steps)";
 
     private static string Fixed(double value, int digits)
     {

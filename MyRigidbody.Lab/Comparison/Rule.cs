@@ -40,7 +40,7 @@ internal sealed record Rule(string Name, string Mine, string Unitys, Func<BodyDe
         List<Rule> rules = [];
         if (mine.Integrator != "LabEuler")
         {
-            rules.Add(new Rule("integrator", mine.Integrator, "the lab's order of steps", body => body));
+            rules.Add(new Rule("integrator", mine.Integrator, "the lab's steps, no ω × I ω", body => body));
         }
 
         if (mine.Mass.PrincipalMoments != unity.Mass.PrincipalMoments || mine.Mass.Mass != unity.Mass.Mass)

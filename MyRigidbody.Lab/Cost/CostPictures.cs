@@ -108,8 +108,8 @@ internal static class CostPictures
         if (hasOthers)
         {
             // room for their labels
-            right = Math.Max(right, OtherEngine.All.Max(engine => At(engine).X) + 1);
-            top += 3.4;
+            right = Math.Max(right, OtherEngine.All.Max(engine => At(engine).X) + 1.6);
+            top += 4.6;
         }
 
         plot.Axes.SetLimits(left - 0.2, right + 0.2, bottom - 0.5, top);
