@@ -3,7 +3,7 @@ namespace RigidBodyDynamics
     /// <summary>Where a body is and how it moves, at one instant. World axes, SI units.</summary>
     /// <remarks>
     /// This is the language in which scenes, effects, integrators and readers speak to each other. What an
-    /// integrator keeps between steps is its own business: Unity's keeps float, the exact one will keep body axes.
+    /// integrator keeps between steps is its own business: Unity's keeps float, the exact one principal axes.
     /// </remarks>
     public struct BodyState
     {

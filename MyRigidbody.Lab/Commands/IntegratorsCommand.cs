@@ -26,6 +26,7 @@ internal static class IntegratorsCommand
             {
                 name = row.Name,
                 order = row.Order,
+                keeps = row.Keeps.ToString().Split(", "),
                 cost = row.Cost.ToString(),
                 isDefault = row == Catalogue.Default,
                 about = row.About,
@@ -34,16 +35,24 @@ internal static class IntegratorsCommand
             return 0;
         }
 
-        Table table = Terminal.NewTable("integrator", "order", "a step costs", "what it is");
+        Table table = Terminal.NewTable("integrator", "order", "keeps, turning freely", "a step costs", "what it is");
         foreach (CatalogueRow row in Catalogue.Rows)
         {
             string name = row == Catalogue.Default ? row.Name + " (default)" : row.Name;
-            table.AddRow(new Text(name), new Text(row.Order.ToString()), new Text(Words(row.Cost)), new Text(row.About));
+            table.AddRow(new Text(name), new Text(row.Order.ToString()), new Text(Words(row.Keeps)), new Text(Words(row.Cost)), new Text(row.About));
         }
 
         Terminal.Out.Write(table);
         return 0;
     }
+
+    private static string Words(Keeps keeps) =>
+        keeps.HasFlag(Keeps.Energy) ? "L, energy"
+        : keeps.HasFlag(Keeps.EnergyBounded) ? "L; energy swings"
+        : keeps.HasFlag(Keeps.Momentum) ? "L"
+        : keeps.HasFlag(Keeps.MomentumLength) ? "|L|"
+        : keeps.HasFlag(Keeps.Motion) ? "–"
+        : "ω, wrongly";
 
     private static string Words(Cost cost) => cost switch
     {

@@ -29,6 +29,26 @@ public sealed class ReadmeTests
     }
 
     [Test]
+    public void Table_of_integrators_is_the_catalogue_and_its_errors_are_measured()
+    {
+        ExactCase solved = ExactCase.Read("asym_moderate");
+        List<string> expected = [.. Catalogue.Rows.Select(row =>
+        {
+            double error = double.NaN;
+            SolvedScene.Run(solved, row.Name, 0.02, (state, sample, _) =>
+                error = sample.Time == 100 ? Conserved.AngleBetween(state.Orientation, sample.Orientation) : error);
+            return string.Create(CultureInfo.InvariantCulture, $"| {row.Name} | {row.Order} | {Short(error)} | {row.About} |");
+        })];
+
+        TestContext.Out.WriteLine(string.Join("\n", expected));
+        Assert.That(Between("<!-- integrators -->", "<!-- end -->").Skip(2), Is.EqualTo(expected));
+
+        static string Short(double error) => error >= 0.1
+            ? error.ToString("0.0", CultureInfo.InvariantCulture)
+            : error.ToString("0e-0", CultureInfo.InvariantCulture);
+    }
+
+    [Test]
     public void Example_of_the_library_compiles_and_moves_the_cube()
     {
         // begin
