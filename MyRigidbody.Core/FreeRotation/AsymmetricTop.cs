@@ -9,7 +9,7 @@ namespace RigidBodyDynamics
     /// <remarks>
     /// The body turns by the smallest rotation that takes M₊ = I w₊ to M, then about L by ψ (<see cref="OrbitStep"/>).
     /// Constants fit one orbit only, and a rounding takes w off it; what the map then does grows exponentially. So
-    /// each step ends with w set back to its energy and its Q, by amounts of the size of a rounding.
+    /// each step also sets w back to its energy and its Q, by amounts of the size of a rounding.
     /// Rounding errors of q and w are carried along (Kahan), for slow bodies the larger part of the error.
     /// </remarks>
     internal struct AsymmetricTop : IFreeTop
@@ -20,6 +20,8 @@ namespace RigidBodyDynamics
         private const double Resting = 1e-150;
         // near the unstable axis one step over many flips loses the small components
         private const double LongestNearUnstable = 15;
+        // where so many parts are not enough no digit of the input is left to be saved
+        private const long MostParts = 1000;
         // (sine of) the largest angle at which a correction may be made at the wrong end of a step
         private const double ShortSquared = 0.25 * 0.25;
         private const double Tiny = 1e-290;
@@ -109,11 +111,11 @@ namespace RigidBodyDynamics
             double q = _separation;
             double alpha = s.AlphaOfA3 * a3, beta = s.BetaOfA1 * a1, rate = Math.Max(alpha, beta);
             if (Math.Abs(s.DeltaOfQ * q) < 0.01 * rate && rate * time * time > LongestNearUnstable * LongestNearUnstable)
-                _count = (long)Math.Ceiling(Math.Sqrt(rate) * Math.Abs(time) / LongestNearUnstable);
+                _count = (long)Math.Ceiling(Math.Min(MostParts, Math.Sqrt(rate) * Math.Abs(time) / LongestNearUnstable));
 
             _inverseEnergy = 0.5 / _energy;
             _orbit.Set(s, a1, a3, q, time / _count);
-            while (_orbit.IsIllConditioned)
+            while (_orbit.IsIllConditioned && _count < MostParts)
                 _orbit.Set(s, a1, a3, q, time / ++_count);
 
             _isShort = rate * _orbit.S * _orbit.S <= ShortSquared && _orbit.C1 > 0 && _orbit.C3 > 0;

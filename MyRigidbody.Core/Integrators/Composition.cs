@@ -15,7 +15,6 @@ namespace RigidBodyDynamics
         private bool _canMove, _canTurn, _isOffCenter;
         private double _dt;
         private Coasting _coasting;
-        private bool _isPlain;
         private Decay _perStep;
         private Drift _whole;
 
@@ -42,33 +41,49 @@ namespace RigidBodyDynamics
             _coasting = coasting;
             _whole = new Drift(coasting, duration);
             _perStep = Decay.To(coasting.AngularFactorPerStep);
-            _isPlain = coasting.Acceleration.IsZero && coasting.LinearDampingRate == 0 && coasting.AngularDampingRate == 0;
         }
 
         public void Step<TPush>(in Instant now, ref TPush push) where TPush : struct, IPush
         {
             if ((push.Traits & (PushTraits.Moves | PushTraits.Turns)) == 0)
-            {
-                Advance(_dt);
-            }
+                Advance(_whole);
             else
-            {
-                TScheme scheme = default(TScheme);
-                double[] kicks = scheme.Kicks, drifts = scheme.Drifts;
-                Instant at = new Instant(now.Step, now.Time, scheme.HoldsTime);
-                for (int i = 0; i < drifts.Length; i++)
-                {
-                    Kick(at, kicks[i] * _dt, ref push);
-                    double length = drifts[i] * _dt;
-                    Advance(length);
-                    at = at.Later(scheme.HoldsTime ? length : kicks[i] * _dt);
-                }
-
-                Kick(at, kicks[drifts.Length] * _dt, ref push);
-            }
+                Compose(now, ref push);
 
             _v = _coasting.LinearFactorPerStep * _v;
             _top.Damp(_perStep);
+        }
+
+        private void Compose<TPush>(in Instant now, ref TPush push) where TPush : struct, IPush
+        {
+            TScheme scheme = default(TScheme);
+            double[] kicks = scheme.Kicks, drifts = scheme.Drifts;
+            Instant at = new Instant(now.Step, now.Time, scheme.HoldsTime);
+            for (int i = 0; i < drifts.Length; i++)
+            {
+                double kick = kicks[i] * _dt, length = drifts[i] * _dt;
+                Kick(at, kick, ref push);
+                if (drifts[i] == 1)
+                    Advance(_whole);
+                else
+                    Advance(new Drift(_coasting, length));
+
+                at = at.Later(scheme.HoldsTime ? length : kick);
+            }
+
+            Kick(at, kicks[drifts.Length] * _dt, ref push);
+        }
+
+        private void Advance(in Drift drift)
+        {
+            if (_canMove)
+                drift.Move(ref _x, ref _v);
+
+            if (_canTurn)
+            {
+                _top.Advance(drift.TurningTime);
+                _top.Damp(drift.AngularDecay);
+            }
         }
 
         private void Kick<TPush>(in Instant now, double duration, ref TPush push) where TPush : struct, IPush
@@ -93,34 +108,6 @@ namespace RigidBodyDynamics
 
             if (_canTurn && (traits & PushTraits.Turns) != 0)
                 _top.Kick(impulse.Torque, impulse.BodyTorque);
-        }
-
-        private void Advance(double length)
-        {
-            if (_isPlain)
-            {
-                if (_canMove)
-                    _x += length * _v;
-
-                if (_canTurn)
-                    _top.Advance(length);
-            }
-            else
-            {
-                Advance(length == _dt ? _whole : new Drift(_coasting, length));
-            }
-        }
-
-        private void Advance(in Drift drift)
-        {
-            if (_canMove)
-                drift.Move(ref _x, ref _v);
-
-            if (_canTurn)
-            {
-                _top.Advance(drift.TurningTime);
-                _top.Damp(drift.AngularDecay);
-            }
         }
 
         private Vector3d Origin(Quaterniond orientation) =>
