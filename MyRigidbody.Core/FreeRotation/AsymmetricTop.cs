@@ -167,7 +167,21 @@ namespace RigidBodyDynamics
             double vv = r1 * r1 + r2 * r2 + r3 * r3, n = Math.Sqrt(r0 * r0 + vv);
             n = r0 < 0 ? -n : n;
             double f = 1 / (n * (n + r0)), v = f * (n + r0);
+            Vector3d momentum = _isShort ? Vector3d.Zero : _q.Rotate(new Vector3d(m1, m2, m3));
             SmallTurn.Add(ref _q, ref _qLost, _q * new Quaterniond(-vv * f, v * r1, v * r2, v * r3));
+            if (!_isShort)
+                KeepDirection(momentum);
+        }
+
+        /// <summary>
+        /// Where M₊ points almost back along M, as after a flip, the smallest rotation between them is badly known, and L
+        /// would turn by a rounding over |M + M₊|. It is turned back to where it was.
+        /// </summary>
+        private void KeepDirection(Vector3d momentum)
+        {
+            Vector3d now = _q.Rotate(new Vector3d(_shape.I1 * _w.X, _w.Y, _shape.I3 * _w.Z));
+            Vector3d back = 0.5 / now.LengthSquared * Vector3d.Cross(now, momentum);
+            SmallTurn.Add(ref _q, ref _qLost, new Quaterniond(0, back) * _q);
         }
 
         private void Change(double d1, double d2, double d3)

@@ -124,6 +124,13 @@ namespace RigidBodyDynamics
                 double cosine = C * C - sine * sine, twice = 2 * C * sine;
                 C = cosine * x + twice * y;
                 sine = twice * x - cosine * y;
+                // only the ratio of the two counts, but each doubling squares what their length is off 1
+                if (i % 8 == 7)
+                {
+                    double norm = Math.Sqrt(C * C + sine * sine);
+                    C /= norm;
+                    sine /= norm;
+                }
             }
 
             Z = length * sine;

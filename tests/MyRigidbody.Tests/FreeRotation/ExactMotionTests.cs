@@ -110,6 +110,29 @@ public sealed class ExactMotionTests
         Assert.That(flips, Is.EqualTo(9));
     }
 
+    // of a top, of one near its unstable axis, of a needle; up to 1e18 rad in a step, where no angle is left to be known
+    [TestCase(1, 1e9, 1)]
+    [TestCase(1e-9, 1, 2e-9)]
+    [TestCase(1e3, 1, 0)]
+    public void Energy_and_momentum_outlast_steps_of_any_length(double w1, double w2, double w3)
+    {
+        foreach (double step in new[] { 1.0, 1e3, 1e6, 1e9 })
+        {
+            BodyDescription body = new("b", MassProperties.FromPrincipal(1, new Vector3d(1, 2, 3)))
+            {
+                Integrator = "Exact",
+                Start = new BodyState(Vector3d.Zero, Quaterniond.Identity, Vector3d.Zero, new Vector3d(w1, w2, w3)),
+            };
+            Simulation simulation = new(TimeSteps.Every(step), body);
+            double energy = simulation.Bodies[0].KineticEnergy;
+            Vector3d momentum = simulation.Bodies[0].AngularMomentum;
+            simulation.Step(100);
+            Assert.That(simulation.Bodies[0].KineticEnergy / energy, Is.EqualTo(1).Within(1e-14)); // measured 1.1e-15
+            Assert.That(
+                (simulation.Bodies[0].AngularMomentum - momentum).Length / momentum.Length, Is.LessThan(1e-13)); // measured 2e-14
+        }
+    }
+
     // 20 steps of 50 s and one of 1000 s: hundreds of rad each
     [TestCase(50)]
     [TestCase(1000)]
