@@ -88,6 +88,20 @@ namespace RigidBodyDynamics
 
         private void Kick<TPush>(in Instant now, double duration, ref TPush push) where TPush : struct, IPush
         {
+            if ((push.Traits & (PushTraits.ReadsVelocity | PushTraits.ReadsAngularVelocity)) == 0)
+            {
+                Give(now, duration, ref push);
+                return;
+            }
+
+            // what reads a velocity feels the pushes before it and not those after: there and back, so that the order stays 2
+            double half = 0.5 * duration;
+            Give(now, half, ref push);
+            Give((now.IsHeld ? now : now.Later(half)).Reversed, half, ref push);
+        }
+
+        private void Give<TPush>(in Instant now, double duration, ref TPush push) where TPush : struct, IPush
+        {
             const PushTraits ReadsPose = PushTraits.ReadsPosition | PushTraits.ReadsOrientation;
             PushTraits traits = push.Traits;
             BodyState body = default(BodyState);

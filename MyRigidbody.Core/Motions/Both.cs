@@ -29,8 +29,12 @@ namespace RigidBodyDynamics
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
         public void Over(in Instant now, double duration, in BodyState body, MassProperties mass, ref Wrench impulse)
         {
+            if (now.IsReversed)
+                _second.Over(now, duration, body, mass, ref impulse);
+
             _first.Over(now, duration, body, mass, ref impulse);
-            _second.Over(now, duration, body, mass, ref impulse);
+            if (!now.IsReversed)
+                _second.Over(now, duration, body, mass, ref impulse);
         }
     }
 }

@@ -15,15 +15,22 @@ namespace RigidBodyDynamics
         /// </summary>
         public readonly bool IsHeld;
 
+        /// <summary>True where a sum goes through its pushes from the last to the first, the mirror image of the way before.</summary>
+        public readonly bool IsReversed;
+
         /// <summary>A time within a step.</summary>
-        public Instant(long step, double time, bool isHeld = false)
+        public Instant(long step, double time, bool isHeld = false, bool isReversed = false)
         {
             Step = step;
             Time = time;
             IsHeld = isHeld;
+            IsReversed = isReversed;
         }
 
+        /// <summary>The same time, with sums gone through from the last to the first.</summary>
+        public Instant Reversed => new Instant(Step, Time, IsHeld, true);
+
         /// <summary>A later time within the same step.</summary>
-        public Instant Later(double duration) => new Instant(Step, Time + duration, IsHeld);
+        public Instant Later(double duration) => new Instant(Step, Time + duration, IsHeld, IsReversed);
     }
 }

@@ -30,7 +30,7 @@ namespace RigidBodyDynamics
         public void Over(in Instant now, double duration, in BodyState body, MassProperties mass, ref Wrench impulse)
         {
             for (int i = 0; i < _pushes.Length; i++)
-                _pushes[i].Over(now, duration, body, mass, ref impulse);
+                _pushes[now.IsReversed ? _pushes.Length - 1 - i : i].Over(now, duration, body, mass, ref impulse);
         }
     }
 }

@@ -18,8 +18,9 @@ namespace RigidBodyDynamics
         /// <remarks>m v' = −k abs(v) v has v = v₀ / (1 + z), z = k abs(v₀) h / m: it slows and never turns back.</remarks>
         public void Over(in Instant now, double duration, in BodyState body, MassProperties mass, ref Wrench impulse)
         {
-            double z = _k * body.Velocity.Length * duration * mass.InverseMass;
-            impulse.Force -= mass.Mass * (z / (1 + z)) * body.Velocity;
+            Vector3d v = body.Velocity + mass.InverseMass * impulse.Force;
+            double z = _k * v.Length * duration * mass.InverseMass;
+            impulse.Force -= mass.Mass * (z / (1 + z)) * v;
         }
 
         /// <summary>In words.</summary>
