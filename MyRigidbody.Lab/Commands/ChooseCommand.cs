@@ -20,6 +20,7 @@ internal static class ChooseCommand
             Description = "the larger of the angle (rad) and the distance (m) to the true motion, at any time",
             HelpName = "E",
             Required = true,
+            CustomParser = Numbers.Parse,
         };
         Option<bool> json = new("--json") { Description = "as JSON" };
         Command command = new("choose", "The cheapest integrator and step that keep the error below E, by measurement") { scene, error, json };

@@ -36,6 +36,7 @@ internal static class CompareCommand
             Description = "for a recording: how far the simulation may be from it (m, rad, and both per s)",
             HelpName = "E",
             DefaultValueFactory = _ => DefaultTolerance,
+            CustomParser = Numbers.Parse,
         };
         Command command = new("compare", "MyRigidbody beside DefaultRigidbody, and why they part") { scene, output, tolerance };
         command.SetAction(parsed => Execute(parsed.GetValue(scene) ?? Gallery.Lab, parsed.GetValue(output)!, parsed.GetValue(tolerance)));

@@ -13,7 +13,12 @@ internal static class RunCommand
     {
         Argument<string> scene = new("SCENE") { Description = "a scene file or a recording" };
         Option<string?> integrator = new("--integrator") { Description = "the rule for every body, instead of the file's", HelpName = "NAME" };
-        Option<double?> step = new("--step") { Description = "length of every step in s, instead of the file's", HelpName = "S" };
+        Option<double?> step = new("--step")
+        {
+            Description = "length of every step in s, instead of the file's",
+            HelpName = "S",
+            CustomParser = result => Numbers.Parse(result),
+        };
         Option<long> every = new("--every")
         {
             Description = "write every K-th step; 0: the end only",
@@ -47,7 +52,7 @@ internal static class RunCommand
             return 0;
         }
 
-        string folder = Path.GetDirectoryName(Path.GetFullPath(output)) ?? throw new InputException($"{output}: is a folder");
+        string folder = Path.GetDirectoryName(Path.GetFullPath(output.Length > 0 ? output : throw new InputException("--out: must not be empty"))) ?? throw new InputException($"{output}: is a folder");
         using Files files = new(folder, output);
         files.Write(Path.GetFileName(output), temporary =>
         {

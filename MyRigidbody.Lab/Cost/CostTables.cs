@@ -12,7 +12,8 @@ internal static class CostTables
     public const string Legend =
         "at 1/50: error (larger of rad and m) in steps of 1/50 s. ns: time for a step of one body. × lab: the same in steps of LabEuler, "
         + "which leaves out I⁻¹ τ where nothing turns the body. "
-        + "to 1e-3 ...: the least that an error below it costs, in µs per simulated second and body.";
+        + "to 1e-3 ...: the least that an error below it costs, in µs per simulated second and body. "
+        + "A rule's own drag and limits count as error, and so does a step that misses the beginning of an effect.";
 
     /// <summary>A row an integrator.</summary>
     public static IRenderable Of(CostFindings found)

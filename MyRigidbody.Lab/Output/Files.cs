@@ -1,3 +1,5 @@
+using System.Runtime.InteropServices;
+
 namespace RigidBodyDynamics.Lab.Output;
 
 /// <summary>Writes files whole or not at all: beside their place first, then moved into it.</summary>
@@ -6,13 +8,14 @@ internal sealed class Files : IDisposable
     private readonly string _folder;
     private readonly string _name;
     private readonly List<(string Temporary, string Final)> _written = [];
+    private readonly List<PosixSignalRegistration> _signals = [];
 
     /// <summary>Files for a folder, which is made if it is not there.</summary>
     /// <param name="folder">The folder.</param>
     /// <param name="name">How the user called what is to be written; named in errors.</param>
     public Files(string folder, string name)
     {
-        _name = name;
+        _name = name.Length > 0 ? name : throw new InputException("--out: must not be empty");
         _folder = Path.GetFullPath(folder);
         if (_folder == "/dev")
         {
@@ -21,7 +24,13 @@ internal sealed class Files : IDisposable
         }
 
         Try(() => Directory.CreateDirectory(_folder));
-        AppDomain.CurrentDomain.ProcessExit += (_, _) => Dispose();
+        // a file that is half written goes with the process that wrote it
+        foreach (PosixSignal signal in new[] { PosixSignal.SIGINT, PosixSignal.SIGTERM, PosixSignal.SIGHUP })
+        {
+            _signals.Add(PosixSignalRegistration.Create(signal, _ => TakeAway()));
+        }
+
+        AppDomain.CurrentDomain.ProcessExit += (_, _) => TakeAway();
     }
 
     /// <summary>Writes one file, by a function that is given the path to write to.</summary>
@@ -49,6 +58,12 @@ internal sealed class Files : IDisposable
 
     /// <summary>Takes away what was not kept.</summary>
     public void Dispose()
+    {
+        _signals.ForEach(signal => signal.Dispose());
+        TakeAway();
+    }
+
+    private void TakeAway()
     {
         foreach ((string temporary, string _) in _written)
         {
