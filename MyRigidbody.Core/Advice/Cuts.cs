@@ -15,8 +15,9 @@ namespace RigidBodyDynamics
         {
             double duration = scene.Steps.StartOf(scene.Steps.Count);
             // so that there are ten samples or more
-            BaseStep = Math.Min(duration >= 10 ? 1 : 0.1, duration);
-            double count = Math.Floor(duration / BaseStep + Same);
+            double longest = duration >= 10 ? 1 : duration >= 1 ? 0.1 : 0.1 * duration;
+            double count = Math.Ceiling(duration / longest - Same);
+            BaseStep = duration / count;
             if (!(count <= MostBaseSteps))
                 throw Guard.Refused("duration", duration, "must be at most " + MostBaseSteps + " s to be refined");
 

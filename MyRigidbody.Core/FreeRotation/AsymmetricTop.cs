@@ -3,7 +3,7 @@ using System;
 namespace RigidBodyDynamics
 {
     /// <summary>
-    /// Exact free rotation of a body with three different moments (two may be equal): one rational map per step, with
+    /// Exact free rotation of a body with three different moments: one rational map per step, with
     /// constants that hold as long as nothing turns the body. No trigonometry, no iteration.
     /// </summary>
     /// <remarks>

@@ -62,7 +62,8 @@ namespace RigidBodyDynamics
         {
             if (time != _preparedFor)
             {
-                _turn = SmallTurn.Of((1 / _across) * _momentum, _momentum.Length / _across, time);
+                Vector3d rate = (1 / _across) * _momentum;
+                _turn = SmallTurn.Of(rate, rate.Length, time);
                 Quaterniond spin = SmallTurn.Of(new Vector3d(0, 0, _slip * _w3), System.Math.Abs(_slip * _w3), time);
                 _spinW = spin.W;
                 _spinZ = spin.Z;

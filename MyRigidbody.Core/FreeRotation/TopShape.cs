@@ -25,8 +25,8 @@ namespace RigidBodyDynamics
             K1 = d23 / I1;
             K2 = d31;
             K3 = d12 / I3;
-            G1 = d31 == 0 ? 0.5 : -d23 / d31;
-            G3 = d31 == 0 ? 0.5 : -d12 / d31;
+            G1 = -d23 / d31;
+            G3 = -d12 / d31;
             M1 = G3 * I1;
             M3 = G1 * I3;
             AlphaOfA3 = d31 * -d23 / (I1 * I3);

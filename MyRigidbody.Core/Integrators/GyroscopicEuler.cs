@@ -1,9 +1,11 @@
+using System;
+
 namespace RigidBodyDynamics
 {
     /// <summary>How a rule of order 1 takes the gyroscopic torque −ω × I ω into ω.</summary>
     internal interface IGyroscopicRule
     {
-        /// <summary>ω after a step by that torque alone; principal axes, rad/s.</summary>
+        /// <summary>ω after a step by that torque alone; principal axes, rad/s. Moments in any unit.</summary>
         Vector3d After(Vector3d w, Vector3d moments, double dt);
     }
 
@@ -50,6 +52,7 @@ namespace RigidBodyDynamics
         private BodyState _body;
         private MassProperties _mass;
         private PrincipalAxesOrder _axes;
+        private Vector3d _ratios;
         private bool _canMove, _canTurn, _isOffCenter;
         private double _dt;
         private Coasting _coasting;
@@ -65,6 +68,8 @@ namespace RigidBodyDynamics
             _body.Orientation = _body.Orientation.Normalized;
             _mass = body.Mass;
             _axes = new PrincipalAxesOrder(_mass, 0);
+            // only ratios count, and a product of three moments of 1e-120 would be zero
+            _ratios = (1 / Math.Max(_mass.PrincipalMoments.X, Math.Max(_mass.PrincipalMoments.Y, _mass.PrincipalMoments.Z))) * _mass.PrincipalMoments;
             _canMove = body.CanMove;
             _canTurn = body.CanTurn;
             _isOffCenter = !_mass.CenterOfMass.IsZero;
@@ -96,7 +101,7 @@ namespace RigidBodyDynamics
                 if ((push.Traits & PushTraits.Turns) != 0)
                     w += _dt * Vector3d.Scale(_mass.InversePrincipalMoments, _axes.FromBody(q.RotateInverse(load.TorqueInWorld(q))));
 
-                w = default(TRule).After(w, _mass.PrincipalMoments, _dt);
+                w = default(TRule).After(w, _ratios, _dt);
                 Vector3d world = _angularDecay * q.Rotate(_axes.ToBody(w));
                 q = (q + SmallTurn.Of(world, world.Length, _dt) * q).Normalized;
                 _body.AngularVelocity = world;

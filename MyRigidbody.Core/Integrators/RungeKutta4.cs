@@ -91,7 +91,7 @@ namespace RigidBodyDynamics
             // q [0, ω/2]
             turning = new Quaterniond(-Vector3d.Dot(u, w), q.W * w + Vector3d.Cross(u, w));
             torque = -_coasting.AngularDampingRate * l;
-            acceleration = _coasting.Acceleration - _coasting.LinearDampingRate * v;
+            acceleration = _canMove ? _coasting.Acceleration - _coasting.LinearDampingRate * v : Vector3d.Zero;
             if ((push.Traits & (PushTraits.Moves | PushTraits.Turns)) == 0)
                 return;
 
@@ -101,7 +101,12 @@ namespace RigidBodyDynamics
             else
                 push.At(at, default(BodyState), _mass, ref load);
 
-            acceleration += _mass.InverseMass * load.Force;
+            if (_canMove)
+                acceleration += _mass.InverseMass * load.Force;
+
+            if (!_canTurn)
+                return;
+
             torque += load.Torque;
             if (!load.BodyTorque.IsZero)
             {

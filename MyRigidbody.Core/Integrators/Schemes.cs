@@ -29,7 +29,7 @@ namespace RigidBodyDynamics
     /// <summary>
     /// Order 4 with six stages: S. Blanes, P. C. Moan, "Practical symplectic partitioned Runge–Kutta and
     /// Runge–Kutta–Nyström methods", J. Comput. Appl. Math. 142 (2002), SRKN 6 b. For pushes that depend on pose and
-    /// time alone (one that reads a velocity beside another push leaves order 2); the free motion need not be a quadratic form's drift, a rotation will do.
+    /// time alone (one that reads a velocity beside another push leaves order 2); the free motion need not be a quadratic form's drift, a rotation will do. Two stages go back in time: damping of c h above ten grows there.
     /// </summary>
     internal struct Order4 : IScheme
     {

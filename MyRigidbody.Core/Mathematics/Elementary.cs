@@ -106,13 +106,13 @@ namespace RigidBodyDynamics
             return value * PowerOfTwo(half) * PowerOfTwo(exponent - half);
         }
 
-        /// <summary>φ₁(z) = (1 − e^(−z)) / z for z ≥ 0, within 4 ulp; φ₁(0) = 1.</summary>
-        public static double Phi1(double z) => z < 1 ? 1 - z * Phi2(z) : (1 - Exp(-z)) / z;
+        /// <summary>φ₁(z) = (1 − e^(−z)) / z, within 4 ulp for z ≥ 0; φ₁(0) = 1.</summary>
+        public static double Phi1(double z) => Math.Abs(z) < 1 ? 1 - z * Phi2(z) : (1 - Exp(-z)) / z;
 
-        /// <summary>φ₂(z) = (z − 1 + e^(−z)) / z² for z ≥ 0, within 4 ulp; φ₂(0) = ½.</summary>
+        /// <summary>φ₂(z) = (z − 1 + e^(−z)) / z², within 4 ulp for z ≥ 0; φ₂(0) = ½.</summary>
         public static double Phi2(double z)
         {
-            if (!(z < 1))
+            if (!(Math.Abs(z) < 1))
                 return (1 - (1 - Exp(-z)) / z) / z;
 
             // Σ (−z)^k / (k + 2)!, from the smallest term

@@ -1,3 +1,5 @@
+using System;
+
 namespace RigidBodyDynamics
 {
     /// <summary>
@@ -23,9 +25,9 @@ namespace RigidBodyDynamics
         public bool IsNone => _lost == 0;
 
         /// <summary>What is left of a number.</summary>
-        public double Of(double x) => _lost < 0.5 ? x - _lost * x : _left * x;
+        public double Of(double x) => Math.Abs(_lost) < 0.5 ? x - _lost * x : _left * x;
 
         /// <summary>What is left of a vector.</summary>
-        public Vector3d Of(Vector3d v) => _lost < 0.5 ? v - _lost * v : _left * v;
+        public Vector3d Of(Vector3d v) => Math.Abs(_lost) < 0.5 ? v - _lost * v : _left * v;
     }
 }

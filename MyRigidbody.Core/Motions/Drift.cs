@@ -1,3 +1,5 @@
+using System;
+
 namespace RigidBodyDynamics
 {
     /// <summary>
@@ -39,7 +41,8 @@ namespace RigidBodyDynamics
             double z = rate * h;
             s = rate == 0 ? h : h * Elementary.Phi1(z);
             r = rate == 0 ? 0.5 * h * h : h * h * Elementary.Phi2(z);
-            return rate == 0 ? Decay.To(1) : new Decay(Elementary.Exp(-z), rate * s);
+            double left = rate == 0 ? 1 : Elementary.Exp(-z);
+            return new Decay(left, Math.Abs(z) < 1 ? rate * s : 1 - left);
         }
     }
 }

@@ -31,6 +31,31 @@ public sealed class AgreementTests
         Assert.That(apart, Is.LessThan(bound).And.GreaterThan(0));
     }
 
+    [TestCase(true, false)]
+    [TestCase(false, true)]
+    public void Body_that_is_held_obeys_the_same_laws_by_every_rule(bool canMove, bool canTurn)
+    {
+        BodyState right = Held("Exact6"), found = Held("RungeKutta4");
+        Assert.That(Samples.Apart(found.Position, right.Position), Is.LessThan(1e-11)); // measured 1e-14
+        Assert.That(Conserved.AngleBetween(found.Orientation, right.Orientation), Is.LessThan(1e-11)); // measured 1e-14
+        Assert.That(canMove ? found.AngularVelocity : found.Velocity, Is.EqualTo(Vector3d.Zero));
+
+        BodyState Held(string integrator)
+        {
+            BodyState start = Pushes.State;
+            start.Velocity = Vector3d.Zero;
+            start.AngularVelocity = Vector3d.Zero;
+            BodyDescription body = new BodyDescription("b", MassProperties.FromPrincipal(2, Moments[0]))
+            {
+                Integrator = integrator,
+                CanMove = canMove,
+                CanTurn = canTurn,
+                Start = start,
+            }.With(new Spring(new Vector3d(0, 0.5, 0), new Vector3d(0, 3, 0), 4)).With(new Gravity(new Vector3d(0, -1, 0)));
+            return Scenery.Run(TimeSteps.Every(1.0 / 1024, 1024), body, 1024);
+        }
+    }
+
     private static BodyState Run(string integrator, Vector3d moments, int steps, bool hasDrag)
     {
         MassProperties mass = MassProperties.FromPrincipal(
