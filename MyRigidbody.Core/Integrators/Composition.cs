@@ -15,6 +15,7 @@ namespace RigidBodyDynamics
         private bool _canMove, _canTurn, _isOffCenter;
         private double _dt;
         private Coasting _coasting;
+        private bool _decaysPerStep;
         private Decay _perStep;
         private Drift _whole;
 
@@ -41,6 +42,7 @@ namespace RigidBodyDynamics
             _coasting = coasting;
             _whole = new Drift(coasting, duration);
             _perStep = Decay.To(coasting.AngularFactorPerStep);
+            _decaysPerStep = coasting.LinearFactorPerStep != 1 || coasting.AngularFactorPerStep != 1;
         }
 
         public void Step<TPush>(in Instant now, ref TPush push) where TPush : struct, IPush
@@ -50,8 +52,11 @@ namespace RigidBodyDynamics
             else
                 Compose(now, ref push);
 
-            _v = _coasting.LinearFactorPerStep * _v;
-            _top.Damp(_perStep);
+            if (_decaysPerStep)
+            {
+                _v = _coasting.LinearFactorPerStep * _v;
+                _top.Damp(_perStep);
+            }
         }
 
         private void Compose<TPush>(in Instant now, ref TPush push) where TPush : struct, IPush
@@ -76,14 +81,20 @@ namespace RigidBodyDynamics
 
         private void Advance(in Drift drift)
         {
+            if (_canTurn)
+                _top.Advance(drift.TurningTime);
+
+            if (drift.IsFree)
+            {
+                _x += drift.TurningTime * _v;
+                return;
+            }
+
             if (_canMove)
                 drift.Move(ref _x, ref _v);
 
             if (_canTurn)
-            {
-                _top.Advance(drift.TurningTime);
                 _top.Damp(drift.AngularDecay);
-            }
         }
 
         private void Kick<TPush>(in Instant now, double duration, ref TPush push) where TPush : struct, IPush

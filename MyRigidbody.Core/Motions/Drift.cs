@@ -11,6 +11,9 @@ namespace RigidBodyDynamics
         /// <summary>The time in which a free body turns as far as the damped one, s.</summary>
         public readonly double TurningTime;
 
+        /// <summary>True if neither gravity nor damping acts.</summary>
+        public readonly bool IsFree;
+
         /// <summary>What is left of ω.</summary>
         public readonly Decay AngularDecay;
 
@@ -26,6 +29,7 @@ namespace RigidBodyDynamics
             _decay = Of(coasting.LinearDampingRate, duration, out _s, out double r);
             _fall = r * coasting.Acceleration;
             _gain = _s * coasting.Acceleration;
+            IsFree = coasting.Acceleration.IsZero && coasting.LinearDampingRate == 0 && coasting.AngularDampingRate == 0;
         }
 
         /// <summary>Moves a centre of mass.</summary>
