@@ -31,7 +31,7 @@ public sealed class CheckValueTests
 
         Assert.That(rows, Has.Count.EqualTo(500));
         // the rest pass near the unstable axis, where the motion itself multiplies what the last bit of the inputs does
-        Assert.That(rows.Count(row => row.Worst <= 10), Is.GreaterThanOrEqualTo(490)); // measured 493
-        Assert.That(rows[0].Worst, Is.LessThan(2000)); // measured 721, on the separatrix at 31 rad
+        Assert.That(rows.Count(row => row.Worst <= 10), Is.GreaterThanOrEqualTo(490)); // measured 497
+        Assert.That(rows[0].Worst, Is.LessThan(2000)); // measured 715, on the separatrix at 31 rad
     }
 }
