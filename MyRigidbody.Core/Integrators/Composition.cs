@@ -48,7 +48,7 @@ namespace RigidBodyDynamics
         public void Step<TPush>(in Instant now, ref TPush push) where TPush : struct, IPush
         {
             if ((push.Traits & (PushTraits.Moves | PushTraits.Turns)) == 0)
-                Advance(_whole);
+                Advance(_dt);
             else
                 Compose(now, ref push);
 
@@ -68,33 +68,33 @@ namespace RigidBodyDynamics
             {
                 double kick = kicks[i] * _dt, length = drifts[i] * _dt;
                 Kick(at, kick, ref push);
-                if (drifts[i] == 1)
-                    Advance(_whole);
-                else
-                    Advance(new Drift(_coasting, length));
-
+                Advance(length);
                 at = at.Later(scheme.HoldsTime ? length : kick);
             }
 
             Kick(at, kicks[drifts.Length] * _dt, ref push);
         }
 
-        private void Advance(in Drift drift)
+        private void Advance(double length)
         {
-            if (_canTurn)
-                _top.Advance(drift.TurningTime);
-
-            if (drift.IsFree)
+            if (_whole.IsFree)
             {
-                _x += drift.TurningTime * _v;
+                _x += length * _v;
+                if (_canTurn)
+                    _top.Advance(length);
+
                 return;
             }
 
+            Drift drift = length == _dt ? _whole : new Drift(_coasting, length);
             if (_canMove)
                 drift.Move(ref _x, ref _v);
 
             if (_canTurn)
+            {
+                _top.Advance(drift.TurningTime);
                 _top.Damp(drift.AngularDecay);
+            }
         }
 
         private void Kick<TPush>(in Instant now, double duration, ref TPush push) where TPush : struct, IPush
