@@ -40,6 +40,10 @@ internal static class Program
         {
             return Refuse(refused.Message);
         }
+        catch (BrokenEffectException broken)
+        {
+            return Refuse(broken.Message);
+        }
         catch (Exception full) when (full is IOException or UnauthorizedAccessException)
         {
             // files say so themselves, and a reader who leaves a pipe is no error; a full disk behind a redirection is

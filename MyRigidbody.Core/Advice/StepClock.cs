@@ -36,7 +36,7 @@ namespace RigidBodyDynamics
             }
         }
 
-        /// <summary>For a step of a body, ns: the scene from its start on, as often as fits. To make it takes no time of the clock.</summary>
+        /// <summary>For a step of a body, ns, as if somebody looked at each: the scene from its start on, as often as fits. To make it takes no time of the clock.</summary>
         private static double Nanoseconds(Scene scene, double seconds)
         {
             Simulation[] batch = new Simulation[Math.Max(1, Chunk / scene.Steps.Count)];
@@ -45,7 +45,7 @@ namespace RigidBodyDynamics
             while (clock.Elapsed.TotalSeconds < seconds)
             {
                 for (int i = 0; i < batch.Length; i++)
-                    batch[i] = new Simulation(scene);
+                    batch[i] = new Simulation(scene, Omissions.All & ~Omissions.Coasting);
 
                 clock.Start();
                 foreach (Simulation simulation in batch)

@@ -39,6 +39,15 @@ namespace RigidBodyDynamics
 
         public Vector3d AngularVelocity => Orientation.Rotate(_shape.Axes.ToBody(_scale * _w));
 
+        public bool IsFinite => _q.IsFinite && _w.IsFinite;
+
+        /// <summary>Near the unstable axis a long turn is many short ones.</summary>
+        public bool HasClosedForm => !IsNearUnstableAxis(Math.Max(_shape.AlphaOfA3 * A3, _shape.BetaOfA1 * A1));
+
+        private double A1 => _shape.I1 * _w.X * _w.X + _shape.G1 * _w.Y * _w.Y;
+
+        private double A3 => _shape.I3 * _w.Z * _w.Z + _shape.G3 * _w.Y * _w.Y;
+
         public void Start(MassProperties mass, Quaterniond orientation, Vector3d angularVelocity) =>
             Start(new TopShape(mass.PrincipalMoments, mass.PrincipalFrame), orientation, angularVelocity);
 
@@ -96,7 +105,7 @@ namespace RigidBodyDynamics
         {
             Invariants(out double energy, out double separation);
             TopShape s = _shape;
-            double a1 = s.I1 * _w.X * _w.X + s.G1 * _w.Y * _w.Y, a3 = s.I3 * _w.Z * _w.Z + s.G3 * _w.Y * _w.Y;
+            double a1 = A1, a3 = A3;
             if (!(Math.Abs(_energy - energy) <= SameInvariant * energy))
                 _energy = energy;
 
@@ -110,7 +119,7 @@ namespace RigidBodyDynamics
 
             double q = _separation;
             double alpha = s.AlphaOfA3 * a3, beta = s.BetaOfA1 * a1, rate = Math.Max(alpha, beta);
-            if (Math.Abs(s.DeltaOfQ * q) < 0.01 * rate && rate * time * time > LongestNearUnstable * LongestNearUnstable)
+            if (IsNearUnstableAxis(rate) && rate * time * time > LongestNearUnstable * LongestNearUnstable)
                 _count = (long)Math.Ceiling(Math.Min(MostParts, Math.Sqrt(rate) * Math.Abs(time) / LongestNearUnstable));
 
             _inverseEnergy = 0.5 / _energy;
@@ -120,6 +129,8 @@ namespace RigidBodyDynamics
 
             _isShort = rate * _orbit.S * _orbit.S <= ShortSquared && _orbit.C1 > 0 && _orbit.C3 > 0;
         }
+
+        private bool IsNearUnstableAxis(double rate) => Math.Abs(_shape.DeltaOfQ * _separation) < 0.01 * rate;
 
         private void Turn()
         {

@@ -27,7 +27,7 @@ namespace RigidBodyDynamics
             if (_coasting.LinearFactorPerStep != 1 || _coasting.AngularFactorPerStep != 1)
                 throw Guard.Refused("effects", "a factor per step", "must not depend on the step");
 
-            _form = FreeTops.Choose(body.Mass, new Maker(body));
+            _form = FreeTops.Choose(body, new Maker(body));
         }
 
         /// <summary>

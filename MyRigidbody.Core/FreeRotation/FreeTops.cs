@@ -9,10 +9,13 @@ namespace RigidBodyDynamics
             TResult With<TTop>() where TTop : struct, IFreeTop;
         }
 
-        public static TResult Choose<TResult>(MassProperties mass, IUse<TResult> use)
+        public static TResult Choose<TResult>(BodyDescription body, IUse<TResult> use)
         {
-            Vector3d i = mass.PrincipalMoments;
-            if (mass.IsIsotropic)
+            if (!body.CanTurn)
+                return use.With<HeldTop>();
+
+            Vector3d i = body.Mass.PrincipalMoments;
+            if (body.Mass.IsIsotropic)
                 return use.With<SphericalTop>();
 
             return i.X == i.Y || i.Y == i.Z || i.Z == i.X ? use.With<SymmetricTop>() : use.With<AsymmetricTop>();

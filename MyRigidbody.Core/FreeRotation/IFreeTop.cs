@@ -12,6 +12,12 @@ namespace RigidBodyDynamics
         /// <summary>ω in world axes, rad/s.</summary>
         Vector3d AngularVelocity { get; }
 
+        /// <summary>False once a number in it has become infinite or NaN.</summary>
+        bool IsFinite { get; }
+
+        /// <summary>True if a turn of any length takes about as long as a short one and is as exact.</summary>
+        bool HasClosedForm { get; }
+
         /// <summary>Takes over a body; ω in world axes.</summary>
         void Start(MassProperties mass, Quaterniond orientation, Vector3d angularVelocity);
 

@@ -12,6 +12,10 @@ namespace RigidBodyDynamics
 
         public Vector3d AngularVelocity => _w;
 
+        public bool IsFinite => _q.IsFinite && _w.IsFinite;
+
+        public bool HasClosedForm => true;
+
         public void Start(MassProperties mass, Quaterniond orientation, Vector3d angularVelocity)
         {
             _inverseMoment = mass.InversePrincipalMoments.X;

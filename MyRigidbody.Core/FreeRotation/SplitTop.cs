@@ -17,6 +17,10 @@ namespace RigidBodyDynamics
 
         public Vector3d AngularVelocity => Orientation.Rotate(_axes.ToBody(Vector3d.Scale(_inverseMoments, _m)));
 
+        public bool IsFinite => _q.IsFinite && _m.IsFinite;
+
+        public bool HasClosedForm => false;
+
         public void Start(MassProperties mass, Quaterniond orientation, Vector3d angularVelocity)
         {
             _axes = new PrincipalAxesOrder(mass, 0);

@@ -24,6 +24,10 @@ namespace RigidBodyDynamics
             }
         }
 
+        public bool IsFinite => _q.IsFinite && _momentum.IsFinite && Guard.IsFinite(_w3);
+
+        public bool HasClosedForm => true;
+
         public void Start(MassProperties mass, Quaterniond orientation, Vector3d angularVelocity)
         {
             Vector3d i = mass.PrincipalMoments;

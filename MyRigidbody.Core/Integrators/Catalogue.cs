@@ -23,7 +23,7 @@ namespace RigidBodyDynamics
                 "ImplicitGyroscopic", 1, Keeps.Motion, Cost.SeveralTimesTheLab, "yardstick: one Newton step for the gyroscopic torque, as popular engines do"),
             new CatalogueRow<GyroscopicEuler<ExplicitRule>>(
                 "ExplicitGyroscopic", 1, Keeps.Motion | Keeps.MomentumLength, Cost.SeveralTimesTheLab, "yardstick: momentum back to its old length, as PhysX's switch does"),
-            new CatalogueRow<Composition<SplitTop, Order2>>(
+            new SplittingRow(
                 "Splitting", 2, Kept | Keeps.EnergyBounded, Cost.SeveralTimesTheLab, "rotations about the three axes in turn; keeps L, energy swings"),
             new CatalogueRow<RungeKutta4>(
                 "RungeKutta4", 4, Kept, Cost.SeveralTimesTheLab, "the classical rule, L in world axes; for pushes that cannot be taken apart"),

@@ -62,7 +62,7 @@ namespace RigidBodyDynamics
         /// <summary>One line about it.</summary>
         public string About { get; }
 
-        internal abstract Body Build(BodyDescription description, TimeSteps steps);
+        internal abstract Body Build(BodyPlan plan, Clock clock);
     }
 
     /// <summary>A row whose rule is the struct <typeparamref name="TIntegrator"/>.</summary>
@@ -70,7 +70,7 @@ namespace RigidBodyDynamics
     {
         public CatalogueRow(string name, int order, Keeps keeps, Cost cost, string about) : base(name, order, keeps, cost, about) { }
 
-        internal override Body Build(BodyDescription description, TimeSteps steps) => new Body<TIntegrator>(description, steps);
+        internal override Body Build(BodyPlan plan, Clock clock) => new MovingBody<TIntegrator>(plan, clock);
     }
 
     /// <summary>The row whose rule is chosen by the body's own precision.</summary>
@@ -78,12 +78,26 @@ namespace RigidBodyDynamics
     {
         public UnityRow(string name, int order, Keeps keeps, Cost cost, string about) : base(name, order, keeps, cost, about) { }
 
-        internal override Body Build(BodyDescription description, TimeSteps steps)
+        internal override Body Build(BodyPlan plan, Clock clock)
         {
-            if (description.Unity.InDouble)
-                return new Body<UnityRigidbody<ToDouble>>(description, steps);
+            if (plan.Body.Unity.InDouble)
+                return new MovingBody<UnityRigidbody<ToDouble>>(plan, clock);
 
-            return new Body<UnityRigidbody<ToSingle>>(description, steps);
+            return new MovingBody<UnityRigidbody<ToSingle>>(plan, clock);
+        }
+    }
+
+    /// <summary>The row whose free rotation is split.</summary>
+    internal sealed class SplittingRow : CatalogueRow
+    {
+        public SplittingRow(string name, int order, Keeps keeps, Cost cost, string about) : base(name, order, keeps, cost, about) { }
+
+        internal override Body Build(BodyPlan plan, Clock clock)
+        {
+            if (plan.Body.CanTurn)
+                return new MovingBody<Composition<SplitTop, Order2>>(plan, clock);
+
+            return new MovingBody<Composition<HeldTop, Order2>>(plan, clock);
         }
     }
 
@@ -92,21 +106,20 @@ namespace RigidBodyDynamics
     {
         public CompositionRow(string name, int order, Keeps keeps, Cost cost, string about) : base(name, order, keeps, cost, about) { }
 
-        internal override Body Build(BodyDescription description, TimeSteps steps) =>
-            FreeTops.Choose(description.Mass, new Maker(description, steps));
+        internal override Body Build(BodyPlan plan, Clock clock) => FreeTops.Choose(plan.Body, new Maker(plan, clock));
 
         private sealed class Maker : FreeTops.IUse<Body>
         {
-            private readonly BodyDescription _description;
-            private readonly TimeSteps _steps;
+            private readonly BodyPlan _plan;
+            private readonly Clock _clock;
 
-            public Maker(BodyDescription description, TimeSteps steps)
+            public Maker(BodyPlan plan, Clock clock)
             {
-                _description = description;
-                _steps = steps;
+                _plan = plan;
+                _clock = clock;
             }
 
-            public Body With<TTop>() where TTop : struct, IFreeTop => new Body<Composition<TTop, TScheme>>(_description, _steps);
+            public Body With<TTop>() where TTop : struct, IFreeTop => new MovingBody<Composition<TTop, TScheme>>(_plan, _clock);
         }
     }
 }

@@ -12,7 +12,7 @@ namespace RigidBodyDynamics
         private TTop _top;
         private Vector3d _x, _v;
         private MassProperties _mass;
-        private bool _canMove, _canTurn, _isOffCenter;
+        private bool _canMove, _isOffCenter;
         private double _dt;
         private Coasting _coasting;
         private bool _decaysPerStep;
@@ -23,12 +23,15 @@ namespace RigidBodyDynamics
 
         public bool IsAsleep => false;
 
+        public bool IsFinite => _x.IsFinite && _v.IsFinite && _top.IsFinite;
+
+        public bool HasClosedForm => _top.HasClosedForm && (!_decaysPerStep || (!_canMove && typeof(TTop) == typeof(HeldTop)));
+
         public void Start(BodyDescription body)
         {
             Quaterniond q = body.Start.Orientation.Normalized;
             _mass = body.Mass;
             _canMove = body.CanMove;
-            _canTurn = body.CanTurn;
             _isOffCenter = !_mass.CenterOfMass.IsZero;
             _x = _isOffCenter ? body.Start.Position + q.Rotate(_mass.CenterOfMass) : body.Start.Position;
             _v = body.Start.Velocity;
@@ -80,9 +83,7 @@ namespace RigidBodyDynamics
             if (_whole.IsFree)
             {
                 _x += length * _v;
-                if (_canTurn)
-                    _top.Advance(length);
-
+                _top.Advance(length);
                 return;
             }
 
@@ -90,11 +91,8 @@ namespace RigidBodyDynamics
             if (_canMove)
                 drift.Move(ref _x, ref _v);
 
-            if (_canTurn)
-            {
-                _top.Advance(drift.TurningTime);
-                _top.Damp(drift.AngularDecay);
-            }
+            _top.Advance(drift.TurningTime);
+            _top.Damp(drift.AngularDecay);
         }
 
         private void Kick<TPush>(in Instant now, double duration, ref TPush push) where TPush : struct, IPush
@@ -131,7 +129,7 @@ namespace RigidBodyDynamics
             if (_canMove && (traits & PushTraits.Moves) != 0)
                 _v += _mass.InverseMass * impulse.Force;
 
-            if (_canTurn && (traits & PushTraits.Turns) != 0)
+            if ((traits & PushTraits.Turns) != 0)
                 _top.Kick(impulse.Torque, impulse.BodyTorque);
         }
 

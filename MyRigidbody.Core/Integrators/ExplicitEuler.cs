@@ -12,6 +12,10 @@ namespace RigidBodyDynamics
 
         public bool IsAsleep => false;
 
+        public bool IsFinite => _lab.IsFinite;
+
+        public bool HasClosedForm => _lab.HasClosedForm;
+
         public void Start(BodyDescription body) => _lab.Start(body);
 
         public void Prepare(double duration, in Coasting coasting) => _lab.Prepare(duration, coasting);

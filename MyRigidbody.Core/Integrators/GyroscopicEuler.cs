@@ -62,6 +62,10 @@ namespace RigidBodyDynamics
 
         public bool IsAsleep => false;
 
+        public bool IsFinite => _body.IsFinite;
+
+        public bool HasClosedForm => !_canMove && !_canTurn;
+
         public void Start(BodyDescription body)
         {
             _body = body.Start;

@@ -16,6 +16,15 @@ namespace RigidBodyDynamics
         /// <summary>True while the rule has put the body to sleep.</summary>
         bool IsAsleep { get; }
 
+        /// <summary>False once a number in it has become infinite or NaN. Quick: it is asked after every call.</summary>
+        bool IsFinite { get; }
+
+        /// <summary>
+        /// True while a step of any length, as prepared for and with nothing to push, is one closed form: the body is then not
+        /// stepped while nobody looks. False suits every rule.
+        /// </summary>
+        bool HasClosedForm { get; }
+
         /// <summary>Takes over a body at its start.</summary>
         void Start(BodyDescription body);
 

@@ -19,6 +19,10 @@ namespace RigidBodyDynamics
 
         public bool IsAsleep => false;
 
+        public bool IsFinite => _x.IsFinite && _v.IsFinite && _q.IsFinite && _l.IsFinite;
+
+        public bool HasClosedForm => !_canMove && !_canTurn;
+
         public void Start(BodyDescription body)
         {
             BodyState start = body.Start;

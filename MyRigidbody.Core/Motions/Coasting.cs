@@ -6,6 +6,12 @@ namespace RigidBodyDynamics
     /// </summary>
     public struct Coasting
     {
+        /// <summary>
+        /// So many steps at most are caught up one by one when somebody looks at a body that coasts; those before them are one
+        /// closed form.
+        /// </summary>
+        public const int StepsBetweenClosedForms = 128;
+
         /// <summary>g, m/s², world axes.</summary>
         public Vector3d Acceleration;
 

@@ -15,6 +15,9 @@ namespace RigidBodyDynamics
         /// <summary>Torque in body axes, beside the other: integrators that work in body axes take it as it is.</summary>
         public Vector3d BodyTorque;
 
+        /// <summary>True if no number in it is infinite or NaN.</summary>
+        public bool IsFinite => Force.IsFinite && Torque.IsFinite && BodyTorque.IsFinite;
+
         /// <summary>The whole torque in world axes.</summary>
         public Vector3d TorqueInWorld(Quaterniond orientation) =>
             BodyTorque.IsZero ? Torque : Torque + orientation.Rotate(BodyTorque);

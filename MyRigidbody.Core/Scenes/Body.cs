@@ -1,15 +1,13 @@
-using System;
-
 namespace RigidBodyDynamics
 {
     /// <summary>A body in motion.</summary>
     public abstract class Body
     {
-        internal Body(BodyDescription description)
+        internal Body(BodyPlan plan)
         {
-            Name = description.Name;
-            Mass = description.Mass;
-            Integrator = description.Integrator;
+            Plan = plan;
+            Name = plan.Body.Name;
+            Mass = plan.Body.Mass;
         }
 
         /// <summary>Its name in the scene.</summary>
@@ -18,14 +16,23 @@ namespace RigidBodyDynamics
         /// <summary>Mass and inertia.</summary>
         public MassProperties Mass { get; }
 
-        /// <summary>Name of the rule by which it moves.</summary>
-        public string Integrator { get; }
+        /// <summary>What its motion consists of, and what was left out.</summary>
+        public BodyPlan Plan { get; }
 
-        /// <summary>Where it is and how it moves now.</summary>
+        /// <summary>Name of the rule by which it moves.</summary>
+        public string Integrator => Plan.Row.Name;
+
+        /// <summary>
+        /// Where it is and how it moves now. A body that coasts is computed when this is asked, so two threads must not
+        /// ask one body at the same time.
+        /// </summary>
         public abstract BodyState State { get; }
 
         /// <summary>True while it has been put to sleep.</summary>
         public abstract bool IsAsleep { get; }
+
+        /// <summary>True while nothing is computed for it until somebody looks: it sleeps, or coasts along a closed form.</summary>
+        public abstract bool IsDormant { get; }
 
         /// <summary>Kinetic energy of the translation and the rotation, J.</summary>
         public double KineticEnergy => Conserved.KineticEnergy(State, Mass);
@@ -33,40 +40,17 @@ namespace RigidBodyDynamics
         /// <summary>Angular momentum about the centre of mass, kg m²/s, world axes.</summary>
         public Vector3d AngularMomentum => Conserved.AngularMomentum(State, Mass);
 
-        internal abstract void Step(long first, long end);
-    }
+        /// <summary>The step by which it has to be stepped again, while it is dormant.</summary>
+        internal abstract long WakesAt { get; }
 
-    /// <summary>A body that moves by one rule, with a stretch of time for every sum of effects that acts on it.</summary>
-    internal sealed class Body<TIntegrator> : Body where TIntegrator : struct, IIntegrator
-    {
-        private readonly Stretch<TIntegrator>[] _stretches;
-        private readonly TimeSteps _steps;
-        private TIntegrator _integrator;
-        private int _current = -1;
+        /// <summary>Goes on to the end of a step, or as far as its effects let it; what stopped it comes with the answer.</summary>
+        internal abstract long Advance(long end, ref System.Exception failure);
 
-        public Body(BodyDescription description, TimeSteps steps) : base(description)
-        {
-            _steps = steps;
-            _stretches = StretchBuilder<TIntegrator>.Divide(description, steps);
-            _integrator.Start(description);
-        }
+        /// <summary>Back to where the last <see cref="Advance"/> began.</summary>
+        internal abstract void GoBack();
 
-        public override BodyState State => _integrator.State;
+        internal abstract object Save();
 
-        public override bool IsAsleep => _integrator.IsAsleep;
-
-        internal override void Step(long first, long end)
-        {
-            while (first < end)
-            {
-                if (_current < 0 || first == _stretches[_current].End)
-                    _current++;
-
-                Stretch<TIntegrator> stretch = _stretches[_current];
-                long stop = Math.Min(end, stretch.End);
-                stretch.Run(ref _integrator, _steps, first, stop);
-                first = stop;
-            }
-        }
+        internal abstract void Restore(object saved);
     }
 }

@@ -90,6 +90,8 @@ namespace RigidBodyDynamics
             return this;
         }
 
+        internal int IndexOf(Effect effect) => _effects.IndexOf(effect);
+
         internal void Check()
         {
             Guard.Finite(Start.Position, "position");

@@ -3,6 +3,9 @@ namespace RigidBodyDynamics
     /// <summary>A stretch of steps during which the same effects act on a body.</summary>
     internal abstract class Stretch<TIntegrator> where TIntegrator : struct, IIntegrator
     {
+        /// <summary>The state in which a body began to coast.</summary>
+        public TIntegrator Anchor;
+
         protected Stretch(long end)
         {
             End = end;
@@ -11,7 +14,17 @@ namespace RigidBodyDynamics
         /// <summary>The step after its last.</summary>
         public long End { get; }
 
+        /// <summary>Steps one by one.</summary>
         public abstract void Run(ref TIntegrator integrator, TimeSteps steps, long first, long end);
+
+        /// <summary>True if a body at this step need not be stepped: nothing pushes it, and its rule knows where it will be.</summary>
+        public abstract bool LetsCoast(ref TIntegrator integrator, TimeSteps steps, long step);
+
+        /// <summary>From a state at one step to that at a later one, of a body that coasts since it was at the anchor.</summary>
+        public abstract void Coast(ref TIntegrator integrator, TimeSteps steps, long anchored, long from, long to);
+
+        /// <summary>Another state follows than the one that was here last.</summary>
+        public abstract void Forget();
     }
 
     /// <summary>A stretch whose sum of effects is a type, so that its step is compiled for just that sum.</summary>
@@ -33,15 +46,48 @@ namespace RigidBodyDynamics
         {
             for (long n = first; n < end; n++)
             {
-                double length = steps.Length(n);
-                if (length != _preparedFor)
-                {
-                    integrator.Prepare(length, _coasting);
-                    _preparedFor = length;
-                }
-
+                Prepare(ref integrator, steps.Length(n));
                 integrator.Step(new Instant(n, steps.StartOf(n)), ref _sum);
             }
+        }
+
+        public override bool LetsCoast(ref TIntegrator integrator, TimeSteps steps, long step)
+        {
+            if ((_sum.Traits & (PushTraits.Moves | PushTraits.Turns)) != 0 || step >= End)
+                return false;
+
+            Prepare(ref integrator, steps.Length(step));
+            return integrator.HasClosedForm;
+        }
+
+        /// <summary>
+        /// In one step to the last multiple of some steps since the anchor, then step by step: so the bits do not depend
+        /// on who looked when, who looks at every step pays for every step, and who looks rarely for a few.
+        /// </summary>
+        public override void Coast(ref TIntegrator integrator, TimeSteps steps, long anchored, long from, long to)
+        {
+            long block = anchored + (to - anchored) / Coasting.StepsBetweenClosedForms * Coasting.StepsBetweenClosedForms;
+            if (from < block)
+            {
+                integrator = Anchor;
+                Forget();
+                Prepare(ref integrator, steps.StartOf(block) - steps.StartOf(anchored));
+                integrator.Step(new Instant(anchored, steps.StartOf(anchored)), ref _sum);
+                from = block;
+            }
+
+            Run(ref integrator, steps, from, to);
+        }
+
+        public override void Forget() => _preparedFor = 0;
+
+        private void Prepare(ref TIntegrator integrator, double length)
+        {
+            if (length == _preparedFor)
+                return;
+
+            integrator.Prepare(length, _coasting);
+            _preparedFor = length;
         }
     }
 }

@@ -2,47 +2,29 @@ using System.Collections.Generic;
 
 namespace RigidBodyDynamics
 {
-    /// <summary>Divides a body's time where its effects begin and end, and binds each sum of effects into one type.</summary>
+    /// <summary>Binds each sum of effects of a plan into one type.</summary>
     internal sealed class StretchBuilder<TIntegrator> where TIntegrator : struct, IIntegrator
     {
         // more effects than these share one type, so that no scene can make the runtime compile without end
         private const int MostTyped = 6;
 
-        private readonly List<PushEffect> _pushes = new List<PushEffect>();
-        private readonly long _end;
-        private readonly Coasting _coasting;
+        private readonly BodyPlan _plan;
+        private readonly StretchPlan _stretch;
+        private readonly bool _isWatched;
 
-        private StretchBuilder(BodyDescription body, TimeSteps steps, long first, long end)
+        private StretchBuilder(BodyPlan plan, StretchPlan stretch, bool isWatched)
         {
-            _end = end;
-            _coasting = Coasting.Free;
-            foreach (Effect effect in body.Effects)
-            {
-                if (steps.FirstAt(effect.From) > first || steps.FirstAt(effect.To) <= first)
-                    continue;
-
-                if (effect is CoastEffect coast)
-                    coast.AddTo(ref _coasting);
-                else
-                    _pushes.Add((PushEffect)effect);
-            }
+            _plan = plan;
+            _stretch = stretch;
+            _isWatched = isWatched;
         }
 
-        /// <summary>The stretches of a body, one after another, from step 0 to the last.</summary>
-        public static Stretch<TIntegrator>[] Divide(BodyDescription body, TimeSteps steps)
+        /// <summary>The stretches of a body, one after another; watched ones tell which push is not finite.</summary>
+        public static Stretch<TIntegrator>[] Bind(BodyPlan plan, bool isWatched)
         {
-            SortedSet<long> cuts = new SortedSet<long> { 0, steps.Count };
-            foreach (Effect effect in body.Effects)
-            {
-                cuts.Add(steps.FirstAt(effect.From));
-                cuts.Add(steps.FirstAt(effect.To));
-            }
-
-            long[] at = new long[cuts.Count];
-            cuts.CopyTo(at);
-            Stretch<TIntegrator>[] stretches = new Stretch<TIntegrator>[at.Length - 1];
+            Stretch<TIntegrator>[] stretches = new Stretch<TIntegrator>[plan.Stretches.Count];
             for (int i = 0; i < stretches.Length; i++)
-                stretches[i] = new StretchBuilder<TIntegrator>(body, steps, at[i], at[i + 1]).Bind(default(Nothing), 0);
+                stretches[i] = new StretchBuilder<TIntegrator>(plan, plan.Stretches[i], isWatched).Bind(default(Nothing), 0);
 
             return stretches;
         }
@@ -50,17 +32,21 @@ namespace RigidBodyDynamics
         /// <summary>Goes on with a sum that holds all pushes before the next.</summary>
         public Stretch<TIntegrator> Bind<TSum>(TSum sum, int next) where TSum : struct, IPush
         {
-            if (next == _pushes.Count)
-                return new Stretch<TIntegrator, TSum>(_end, _coasting, sum);
+            IReadOnlyList<PushEffect> pushes = _stretch.Pushes;
+            if (next == pushes.Count)
+                return new Stretch<TIntegrator, TSum>(_stretch.End, _stretch.Coasting, sum);
 
-            if (next < MostTyped)
-                return _pushes[next].Join(sum, this, next + 1);
+            if (next < MostTyped && !_isWatched)
+                return pushes[next].Join(sum, this, next + 1);
 
-            IPush[] rest = new IPush[_pushes.Count - next];
+            IPush[] rest = new IPush[pushes.Count - next];
             for (int i = 0; i < rest.Length; i++)
-                rest[i] = _pushes[next + i].Push;
+            {
+                PushEffect push = pushes[next + i];
+                rest[i] = _isWatched ? new Watched(push, _plan.Body) : push.Push;
+            }
 
-            return Bind(new Both<TSum, Many>(sum, new Many(rest)), _pushes.Count);
+            return Bind(new Both<TSum, Many>(sum, new Many(rest)), pushes.Count);
         }
     }
 }

@@ -21,13 +21,16 @@ namespace RigidBodyDynamics.StepTimes
 
         public static bool Run()
         {
-            Simulation simulation = new Simulation(
-                TimeSteps.Every(0.02),
+            // every step is taken: left to itself a free body is not stepped at all
+            BodyDescription[] bodies =
+            {
                 new BodyDescription("top", MassProperties.FromPrincipal(1, new Vector3d(1, 2, 3)))
                 {
                     Integrator = "Exact",
                     Start = new BodyState(Vector3d.Zero, Quaterniond.Identity, Vector3d.Zero, new Vector3d(1, 1.1, 0.9)),
-                });
+                },
+            };
+            Simulation simulation = new Simulation(new Scene("top", string.Empty, TimeSteps.Every(0.02), bodies), Omissions.None);
             Body body = simulation.Bodies[0];
             double energy = body.KineticEnergy;
             Vector3d momentum = body.AngularMomentum;

@@ -26,6 +26,11 @@ namespace RigidBodyDynamics
 
         public bool IsAsleep { get; private set; }
 
+        public bool IsFinite => State.IsFinite;
+
+        /// <summary>A body that sleeps stays where it is, gravity or not, until a force wakes it.</summary>
+        public bool HasClosedForm => IsAsleep;
+
         /// <summary>Seconds until a body that stays at rest falls asleep.</summary>
         public float WakeCounter => _wake.Left;
 

@@ -8,7 +8,7 @@ public sealed class FingerprintTests
 {
     // Of .NET and of Mono, in Debug and in Release. It changes with a bit of any step or a row of the catalogue; where
     // that is intended, this is the line to change, and MonoTests is to pass with it.
-    private const ulong Golden = 0x561296fdb19f36e9;
+    private const ulong Golden = 0x9811aa9eacb8672c;
 
     [Test]
     public void All_integrators_with_all_effects_come_to_the_same_bits_everywhere() =>

@@ -107,7 +107,7 @@ public sealed class FreeMotionTests
         FreeMotion motion = new(free);
         foreach (double step in new[] { 0.01, 0.1, 1, 10 })
         {
-            Simulation simulation = new(TimeSteps.Every(step), damped);
+            Simulation simulation = Scenery.Stepped(TimeSteps.Every(step), damped);
             simulation.Step((long)Math.Round(10 / step));
             double s = (1 - Math.Exp(-C * 10)) / C;
             BodyState right = motion.At(s), found = simulation.Bodies[0].State;

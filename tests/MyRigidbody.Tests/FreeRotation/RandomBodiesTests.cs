@@ -37,7 +37,7 @@ public sealed class RandomBodiesTests
             Start = new BodyState(
                 Vector3d.Zero, Quaterniond.Identity, Vector3d.Zero, new Vector3d(Cell("w1"), Cell("w2"), Cell("w3"))),
         };
-        Simulation simulation = new(TimeSteps.Every(0.02), body);
+        Simulation simulation = Scenery.Stepped(TimeSteps.Every(0.02), body);
         double worst = 0;
         foreach (int time in new[] { 10, 50, 100 })
         {

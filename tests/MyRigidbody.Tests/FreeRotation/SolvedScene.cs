@@ -42,9 +42,14 @@ internal static class SolvedScene
     }
 
     /// <summary>Runs to every sample that is a whole number of steps away and hands over what was found and what is true.</summary>
-    public static void Run(ExactCase solved, string integrator, double step, Action<BodyState, ExactCase.Sample, double> compare)
+    public static void Run(
+        ExactCase solved,
+        string integrator,
+        double step,
+        Action<BodyState, ExactCase.Sample, double> compare,
+        Omissions omissions = Omissions.None)
     {
-        Simulation simulation = new(TimeSteps.Every(step), Body(solved, integrator));
+        Simulation simulation = new(new Scene(integrator, string.Empty, TimeSteps.Every(step), [Body(solved, integrator)]), omissions);
         double floor = 0;
         foreach (ExactCase.Sample sample in solved.Samples)
         {

@@ -50,7 +50,7 @@ public sealed class KeepsTests
     public void Angular_velocity_is_kept_by_rules_without_a_gyroscopic_term(string integrator, string motion)
     {
         bool isFrozen = Catalogue.Find(integrator).Keeps == Keeps.AngularVelocity;
-        Simulation simulation = new(TimeSteps.Every(Step), SolvedScene.Body(ExactCase.Read(motion), integrator));
+        Simulation simulation = Scenery.Stepped(TimeSteps.Every(Step), SolvedScene.Body(ExactCase.Read(motion), integrator));
         Vector3d before = simulation.Bodies[0].State.AngularVelocity;
         simulation.Step(500);
         Assert.That(simulation.Bodies[0].State.AngularVelocity == before, Is.EqualTo(isFrozen));
@@ -58,7 +58,7 @@ public sealed class KeepsTests
 
     private static (double Length, double Vector, double FirstHalf, double SecondHalf) Drift(string integrator, string motion)
     {
-        Simulation simulation = new(TimeSteps.Every(Step), SolvedScene.Body(ExactCase.Read(motion), integrator));
+        Simulation simulation = Scenery.Stepped(TimeSteps.Every(Step), SolvedScene.Body(ExactCase.Read(motion), integrator));
         Body body = simulation.Bodies[0];
         Vector3d momentum = body.AngularMomentum;
         double energy = body.KineticEnergy, length = 0, vector = 0;

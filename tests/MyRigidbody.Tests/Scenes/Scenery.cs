@@ -48,6 +48,10 @@ internal static class Scenery
             .With(new PerStep(kicks, kicks), 0.1);
     }
 
+    /// <summary>A simulation that takes every step, also of bodies that coast.</summary>
+    public static Simulation Stepped(TimeSteps steps, params BodyDescription[] bodies) =>
+        new(new Scene("stepped", string.Empty, steps, bodies), Omissions.None);
+
     public static BodyState Run(TimeSteps steps, BodyDescription body, long count)
     {
         Simulation simulation = new(steps, body);

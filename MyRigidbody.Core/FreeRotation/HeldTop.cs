@@ -1,0 +1,22 @@
+namespace RigidBodyDynamics
+{
+    /// <summary>A body that does not turn: it has an orientation, and nothing is computed.</summary>
+    internal struct HeldTop : IFreeTop
+    {
+        public Quaterniond Orientation { get; private set; }
+
+        public Vector3d AngularVelocity => Vector3d.Zero;
+
+        public bool IsFinite => true;
+
+        public bool HasClosedForm => true;
+
+        public void Start(MassProperties mass, Quaterniond orientation, Vector3d angularVelocity) => Orientation = orientation;
+
+        public void Advance(double time) { }
+
+        public void Kick(in Vector3d world, in Vector3d body) { }
+
+        public void Damp(in Decay decay) { }
+    }
+}

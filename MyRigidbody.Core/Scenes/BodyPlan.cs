@@ -1,0 +1,77 @@
+using System;
+using System.Collections.Generic;
+
+namespace RigidBodyDynamics
+{
+    /// <summary>What a plan may leave out because the motion is the same without.</summary>
+    [Flags]
+    public enum Omissions
+    {
+        /// <summary>Everything is computed, step by step.</summary>
+        None = 0,
+
+        /// <summary>The rotation of a body that starts without spin and never feels a torque.</summary>
+        Rotation = 1,
+
+        /// <summary>The translation of a body that starts at rest and never feels a force or gravity.</summary>
+        Translation = 2,
+
+        /// <summary>The steps of a body on which nothing acts but gravity and damping, while nobody looks.</summary>
+        Coasting = 4,
+
+        /// <summary>All of them.</summary>
+        All = Rotation | Translation | Coasting,
+    }
+
+    /// <summary>
+    /// What a body's motion consists of, read once from its description: what is here runs, and what runs is here.
+    /// </summary>
+    public sealed class BodyPlan
+    {
+        internal BodyPlan(BodyDescription body, TimeSteps steps, Omissions mayLeaveOut)
+        {
+            body.Check();
+            Steps = steps;
+            MayCoast = (mayLeaveOut & Omissions.Coasting) != 0;
+            Row = Catalogue.Find(body.Integrator);
+            Asked = body;
+            Stretches = StretchPlan.Divide(body, steps);
+
+            bool moves = !body.Start.Velocity.IsZero, turns = !body.Start.AngularVelocity.IsZero;
+            foreach (StretchPlan stretch in Stretches)
+            {
+                IsPushed |= stretch.Pushes.Count > 0;
+                moves |= (stretch.Does & PushTraits.Moves) != 0 || !stretch.Coasting.Acceleration.IsZero;
+                turns |= (stretch.Does & PushTraits.Turns) != 0;
+            }
+
+            LeftOut = mayLeaveOut & ((turns || !body.CanTurn ? 0 : Omissions.Rotation) | (moves || !body.CanMove ? 0 : Omissions.Translation));
+            Body = body.Copy(body.Name, body.Mass);
+            Body.CanTurn &= (LeftOut & Omissions.Rotation) == 0;
+            Body.CanMove &= (LeftOut & Omissions.Translation) == 0;
+        }
+
+        /// <summary>How its time is divided.</summary>
+        public TimeSteps Steps { get; }
+
+        /// <summary>The rule by which it moves.</summary>
+        public CatalogueRow Row { get; }
+
+        /// <summary>The stretches of time in which the same effects act, one after another.</summary>
+        public IReadOnlyList<StretchPlan> Stretches { get; }
+
+        /// <summary>Rotation or translation, where the body has neither though it could.</summary>
+        public Omissions LeftOut { get; }
+
+        /// <summary>The body as its integrator gets it: it cannot do what it never does.</summary>
+        internal BodyDescription Body { get; }
+
+        /// <summary>The body as the scene describes it.</summary>
+        internal BodyDescription Asked { get; }
+
+        internal bool MayCoast { get; }
+
+        /// <summary>True if something pushes it at any time.</summary>
+        internal bool IsPushed { get; }
+    }
+}

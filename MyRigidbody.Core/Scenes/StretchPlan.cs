@@ -1,0 +1,71 @@
+using System.Collections.Generic;
+
+namespace RigidBodyDynamics
+{
+    /// <summary>The steps from one beginning or end of an effect to the next, and what acts on a body in them.</summary>
+    public sealed class StretchPlan
+    {
+        private readonly List<PushEffect> _pushes = new List<PushEffect>();
+        private readonly List<Effect> _effects = new List<Effect>();
+        private readonly Coasting _coasting = Coasting.Free;
+
+        private StretchPlan(BodyDescription body, TimeSteps steps, long first, long end)
+        {
+            First = first;
+            End = end;
+            foreach (Effect effect in body.Effects)
+            {
+                if (steps.FirstAt(effect.From) > first || steps.FirstAt(effect.To) <= first)
+                    continue;
+
+                _effects.Add(effect);
+                if (effect is PushEffect push)
+                {
+                    _pushes.Add(push);
+                    Does |= push.Push.Traits;
+                }
+                else
+                {
+                    ((CoastEffect)effect).AddTo(ref _coasting);
+                }
+            }
+        }
+
+        /// <summary>Its first step.</summary>
+        public long First { get; }
+
+        /// <summary>The step after its last.</summary>
+        public long End { get; }
+
+        /// <summary>What acts in it.</summary>
+        public IReadOnlyList<Effect> Effects => _effects;
+
+        /// <summary>Gravity and damping, all of them in one closed form.</summary>
+        public Coasting Coasting => _coasting;
+
+        /// <summary>The others.</summary>
+        internal IReadOnlyList<PushEffect> Pushes => _pushes;
+
+        /// <summary>What the pushes do and read, together.</summary>
+        internal PushTraits Does { get; }
+
+        /// <summary>Divides the time of a body where its effects begin and end.</summary>
+        internal static IReadOnlyList<StretchPlan> Divide(BodyDescription body, TimeSteps steps)
+        {
+            SortedSet<long> cuts = new SortedSet<long> { 0, steps.Count };
+            foreach (Effect effect in body.Effects)
+            {
+                cuts.Add(steps.FirstAt(effect.From));
+                cuts.Add(steps.FirstAt(effect.To));
+            }
+
+            long[] at = new long[cuts.Count];
+            cuts.CopyTo(at);
+            StretchPlan[] stretches = new StretchPlan[at.Length - 1];
+            for (int i = 0; i < stretches.Length; i++)
+                stretches[i] = new StretchPlan(body, steps, at[i], at[i + 1]);
+
+            return stretches;
+        }
+    }
+}
