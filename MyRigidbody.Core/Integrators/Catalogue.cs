@@ -24,15 +24,15 @@ namespace RigidBodyDynamics
             new CatalogueRow<GyroscopicEuler<ExplicitRule>>(
                 "ExplicitGyroscopic", 1, Keeps.Motion | Keeps.MomentumLength, Cost.SeveralTimesTheLab, "yardstick: momentum back to its old length, as PhysX's switch does"),
             new SplittingRow(
-                "Splitting", 2, Kept | Keeps.EnergyBounded, Cost.SeveralTimesTheLab, "rotations about the three axes in turn; keeps L, energy swings"),
+                "Splitting", 2, Kept | Keeps.EnergyBounded | Keeps.WayBack, Cost.SeveralTimesTheLab, "rotations about the three axes in turn; keeps L, energy swings"),
             new CatalogueRow<RungeKutta4>(
                 "RungeKutta4", 4, Kept, Cost.SeveralTimesTheLab, "the classical rule, L in world axes; for pushes that cannot be taken apart"),
             new CompositionRow<Order2>(
-                "Exact", 2, Kept | Keeps.Energy, Cost.LikeTheLab, "exact free motion between half pushes; exact where nothing pushes"),
+                "Exact", 2, Kept | Keeps.Energy | Keeps.WayBack, Cost.LikeTheLab, "exact free motion between half pushes; exact where nothing pushes"),
             new CompositionRow<Order4>(
-                "Exact4", 4, Kept | Keeps.Energy, Cost.SeveralTimesTheLab, "the same with seven pushes in a step"),
+                "Exact4", 4, Kept | Keeps.Energy | Keeps.WayBack, Cost.SeveralTimesTheLab, "the same with seven pushes in a step"),
             new CompositionRow<Order6>(
-                "Exact6", 6, Kept | Keeps.Energy, Cost.SeveralTimesTheLab, "the same with twelve pushes in a step"),
+                "Exact6", 6, Kept | Keeps.Energy | Keeps.WayBack, Cost.SeveralTimesTheLab, "the same with twelve pushes in a step"),
         };
 
         /// <summary>The row of a body that names none.</summary>

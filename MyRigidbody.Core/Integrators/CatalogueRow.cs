@@ -23,6 +23,9 @@ namespace RigidBodyDynamics
 
         /// <summary>The energy to rounding, however long the run and the step.</summary>
         Energy = 16,
+
+        /// <summary>The way back: as many steps with all velocities reversed end at the start, under pushes that read the pose alone.</summary>
+        WayBack = 32,
     }
 
     /// <summary>What a step costs, in steps of the lab.</summary>

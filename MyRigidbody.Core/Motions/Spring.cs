@@ -1,3 +1,4 @@
+using System;
 using System.Globalization;
 
 namespace RigidBodyDynamics
@@ -32,6 +33,19 @@ namespace RigidBodyDynamics
             Vector3d arm = body.Orientation.Rotate(_anchor - mass.CenterOfMass);
             impulse.Force += duration * force;
             impulse.Torque += duration * Vector3d.Cross(arm, force);
+        }
+
+        /// <summary>
+        /// The step, s, below which the spring's swing stays bounded by a rule that pushes and moves in turn (Splitting, Exact,
+        /// LabEuler): 2/ω with ω² = k (1/m + a²/I), a the arm and I the least moment. Sharp where the spring holds the centre
+        /// of mass; on an arm, for swings that are small against it.
+        /// </summary>
+        public double LongestStableStep(MassProperties mass)
+        {
+            Vector3d i = Guard.NotNull(mass, nameof(mass)).PrincipalMoments;
+            double least = Math.Min(i.X, Math.Min(i.Y, i.Z));
+            double arm = (_anchor - mass.CenterOfMass).LengthSquared;
+            return 2 / Math.Sqrt(_stiffness * (mass.InverseMass + (arm > 0 ? arm / least : 0)));
         }
 
         /// <summary>In words.</summary>

@@ -30,6 +30,7 @@ namespace RigidBodyDynamics.BitHash
             }
 
             Free(ref hash);
+            HardBodies.Add(ref hash);
             return hash.Value;
         }
 

@@ -8,15 +8,12 @@ public sealed class FingerprintTests
 {
     // Of .NET and of Mono, in Debug and in Release. It changes with a bit of any step or a row of the catalogue; where
     // that is intended, this is the line to change, and MonoTests is to pass with it.
-    private const ulong Golden = 0x9811aa9eacb8672c;
+    internal const ulong Golden = 0x9543d125d012c32e;
 
     [Test]
-    public void All_integrators_with_all_effects_come_to_the_same_bits_everywhere() =>
-        Assert.That(BitHashScene.Compute(), Is.EqualTo(Golden));
-
-    [Test]
-    public void Runs_side_by_side_do_not_disturb_one_another()
+    public void All_integrators_with_all_effects_and_hard_cases_come_to_the_same_bits_everywhere()
     {
+        // two runs side by side, which must not disturb one another
         ulong[] hashes = new ulong[2];
         Parallel.For(0, hashes.Length, i => hashes[i] = BitHashScene.Compute());
         Assert.That(hashes, Is.All.EqualTo(Golden));

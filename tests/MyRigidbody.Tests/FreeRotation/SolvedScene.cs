@@ -9,24 +9,14 @@ internal static class SolvedScene
     public static BodyDescription Body(ExactCase solved, string integrator)
     {
         JsonElement inputs = solved.Inputs, initial = inputs.GetProperty("initial");
-        Quaterniond q = new(
-            Number(initial.GetProperty("quaternion_wxyz")[0]),
-            Number(initial.GetProperty("quaternion_wxyz")[1]),
-            Number(initial.GetProperty("quaternion_wxyz")[2]),
-            Number(initial.GetProperty("quaternion_wxyz")[3]));
-        BodyDescription body = new(
-            "body", MassProperties.FromPrincipal(Number(inputs.GetProperty("mass")), Vector(inputs, "inertia")))
+        BodyDescription body = inputs.GetProperty("kind").GetString() == "translation" ? Falling(inputs) : Turning(inputs, initial);
+        body.Integrator = integrator;
+        body.Unity = new UnitySettings
         {
-            Integrator = integrator,
-            Start = new BodyState(
-                Vector3d.Zero, q, Vector3d.Zero, q.Normalized.Rotate(Vector(initial, "angular_velocity_body"))),
-            Unity = new UnitySettings
-            {
-                AngularDrag = 0,
-                MaxAngularVelocity = double.PositiveInfinity,
-                SleepThreshold = 0,
-                InDouble = true,
-            },
+            AngularDrag = 0,
+            MaxAngularVelocity = double.PositiveInfinity,
+            SleepThreshold = 0,
+            InDouble = true,
         };
         if (inputs.TryGetProperty("angular_damping_rate", out JsonElement rate))
             body.With(new AngularDamping(Number(rate)));
@@ -39,6 +29,33 @@ internal static class SolvedScene
         return frame == "heavy_top"
             ? body.With(new HeavyTop(up, Number(torque.GetProperty("mgl")), up))
             : body.With(new Torque(Vector(torque, "constant"), Vector(torque, "sin"), Vector(torque, "cos"), 1, frame == "body"));
+    }
+
+    private static BodyDescription Turning(JsonElement inputs, JsonElement initial)
+    {
+        JsonElement turn = initial.GetProperty("quaternion_wxyz");
+        Quaterniond q = new(Number(turn[0]), Number(turn[1]), Number(turn[2]), Number(turn[3]));
+        return new BodyDescription("body", MassProperties.FromPrincipal(Number(inputs.GetProperty("mass")), Vector(inputs, "inertia")))
+        {
+            Start = new BodyState(Vector3d.Zero, q, Vector3d.Zero, q.Normalized.Rotate(Vector(initial, "angular_velocity_body"))),
+        };
+    }
+
+    private static BodyDescription Falling(JsonElement inputs)
+    {
+        BodyDescription body = new("body", Solids.Sphere(Number(inputs.GetProperty("mass")), 1));
+        if (inputs.TryGetProperty("gravity_down_y", out JsonElement g))
+            body.With(new Gravity(new Vector3d(0, -Number(g), 0)));
+
+        if (inputs.TryGetProperty("linear_damping_rate", out JsonElement c))
+            body.With(new LinearDamping(Number(c)));
+
+        if (inputs.TryGetProperty("quadratic_drag", out JsonElement k))
+            body.With(new QuadraticDrag(Number(k)));
+
+        return inputs.TryGetProperty("force", out JsonElement force)
+            ? body.With(new Force(Vector(force, "value")), 0, Number(force.GetProperty("until")))
+            : body;
     }
 
     /// <summary>Runs to every sample that is a whole number of steps away and hands over what was found and what is true.</summary>
