@@ -44,7 +44,7 @@ namespace RigidBodyDynamics
         public long Count { get; }
 
         /// <summary>The first step that is not as long as the first of all; −1 if all are.</summary>
-        internal long FirstOfOtherLength => _lengths == null ? -1 : Array.FindIndex(_lengths, length => length != _lengths[0]);
+        public long FirstOfOtherLength => _lengths == null ? -1 : Array.FindIndex(_lengths, length => length != _lengths[0]);
 
         /// <summary>Steps of one length (s), without end.</summary>
         public static TimeSteps Every(double length) => new TimeSteps(length, long.MaxValue);

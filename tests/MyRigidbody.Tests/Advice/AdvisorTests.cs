@@ -1,4 +1,5 @@
 using NUnit.Framework;
+using RigidBodyDynamics.Lab;
 
 namespace RigidBodyDynamics.Tests;
 
@@ -34,7 +35,7 @@ public sealed class AdvisorTests
         Advice advice = Advisor.Choose(Fall(), 0.1);
 
         Assert.That(advice.RunnerUp, Is.Not.Null);
-        Assert.That(advice.RunnerUp.Row, Is.Not.SameAs(advice.Best.Row));
+        Assert.That(advice.RunnerUp!.Row, Is.Not.SameAs(advice.Best.Row));
         Assert.That(advice.RunnerUp.Error, Is.LessThan(0.1));
         Assert.That(advice.Factor, Is.EqualTo(advice.RunnerUp.Cost / advice.Best.Cost));
     }

@@ -1,0 +1,66 @@
+using System.Diagnostics;
+
+namespace RigidBodyDynamics.Lab;
+
+/// <summary>Takes the time that steps need. The one clock of the library, and no motion depends on it.</summary>
+public static class StepClock
+{
+    // so many steps take long beside a look at the clock
+    private const long Chunk = 2000;
+
+    // a runtime that compiles again what runs often has done so by then, s
+    private const double WarmUp = 0.3;
+
+    /// <summary>Takes the time of trials in turns, so that what slows the machine for a while slows all of them.</summary>
+    /// <param name="trials">The trials; their <see cref="Trial.NanosecondsPerStep"/> is set.</param>
+    /// <param name="seconds">How long each of them runs in a turn.</param>
+    /// <param name="repeats">How many turns count, after some that do not; the shortest time is kept.</param>
+    /// <param name="progress">Told the fraction that is done.</param>
+    public static void Take(IReadOnlyList<Trial> trials, double seconds, int repeats, Action<double>? progress = null)
+    {
+        Guard.Positive(seconds, nameof(seconds));
+        Stopwatch warm = Stopwatch.StartNew();
+        for (int turn = 0; turn <= repeats; turn += turn > 0 || warm.Elapsed.TotalSeconds > WarmUp || trials.Count == 0 ? 1 : 0)
+        {
+            for (int i = 0; i < trials.Count; i++)
+            {
+                double time = Guard.IsFinite(trials[i].Error) ? Nanoseconds(trials[i].Scene, seconds) : double.PositiveInfinity;
+                // what comes first is the NaN of a trial without a time
+                if (turn > 0 && !(time >= trials[i].NanosecondsPerStep))
+                    trials[i].NanosecondsPerStep = time;
+
+                progress?.Invoke((turn * trials.Count + i + 1.0) / ((repeats + 1.0) * trials.Count));
+            }
+        }
+    }
+
+    /// <summary>For a step of a body, ns, as if somebody looked at each: the scene from its start on, as often as fits. To make it takes no time of the clock.</summary>
+    private static double Nanoseconds(Scene scene, double seconds)
+    {
+        Simulation[] batch = new Simulation[Math.Max(1, Chunk / scene.Steps.Count)];
+        Stopwatch clock = new Stopwatch();
+        long done = 0;
+        while (clock.Elapsed.TotalSeconds < seconds)
+        {
+            for (int i = 0; i < batch.Length; i++)
+                batch[i] = new Simulation(scene, Omissions.All & ~Omissions.Coasting);
+
+            clock.Start();
+            foreach (Simulation simulation in batch)
+            {
+                long left = scene.Steps.Count;
+                while (left > 0 && (left <= Chunk || clock.Elapsed.TotalSeconds < seconds))
+                {
+                    long count = Math.Min(left, Chunk);
+                    simulation.Step(count);
+                    left -= count;
+                    done += count;
+                }
+            }
+
+            clock.Stop();
+        }
+
+        return 1e9 * clock.Elapsed.TotalSeconds / ((double)done * scene.Bodies.Count);
+    }
+}
