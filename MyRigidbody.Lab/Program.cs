@@ -22,6 +22,7 @@ internal static class Program
             RunCommand.Create(),
             CostCommand.Create(),
             ChooseCommand.Create(),
+            ExplainCommand.Create(),
             IntegratorsCommand.Create(),
         };
         // with no command at all: the lab's scene, both bodies

@@ -9,6 +9,15 @@ namespace RigidBodyDynamics
             TResult With<TTop>() where TTop : struct, IFreeTop;
         }
 
+        /// <summary>A kind of top in words.</summary>
+        public sealed class Words : IUse<string>
+        {
+            public string With<TTop>() where TTop : struct, IFreeTop =>
+                typeof(TTop) == typeof(SphericalTop) ? "a body with three equal moments"
+                : typeof(TTop) == typeof(SymmetricTop) ? "a body with two equal moments"
+                : "a body with three different moments";
+        }
+
         public static TResult Choose<TResult>(BodyDescription body, IUse<TResult> use)
         {
             if (!body.CanTurn)

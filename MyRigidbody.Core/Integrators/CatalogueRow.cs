@@ -1,4 +1,5 @@
 using System;
+using System.Globalization;
 
 namespace RigidBodyDynamics
 {
@@ -66,6 +67,20 @@ namespace RigidBodyDynamics
         public string About { get; }
 
         internal abstract Body Build(BodyPlan plan, Clock clock);
+
+        /// <summary>The rotation of a body by this rule, in words.</summary>
+        internal virtual string Rotation(BodyDescription body) =>
+            "rotation by " + Name + ((Keeps & Keeps.Motion) != 0 ? string.Empty : " (no gyroscopic term)");
+
+        /// <summary>What the rule does of itself, whatever the scene's effects, in words; null if nothing.</summary>
+        internal virtual string Settings(BodyDescription body) => null;
+
+        /// <summary>Why a body's rotation is simpler by this rule than that of any body; null if it is not.</summary>
+        internal virtual string Simpler(BodyDescription body) => null;
+
+        /// <summary>True if a body has a closed form by this rule while a stretch lasts.</summary>
+        internal virtual bool Coasts(BodyDescription body, StretchPlan stretch) =>
+            stretch.Pushes.Count == 0 && !body.CanMove && !body.CanTurn;
     }
 
     /// <summary>A row whose rule is the struct <typeparamref name="TIntegrator"/>.</summary>
@@ -81,6 +96,20 @@ namespace RigidBodyDynamics
     {
         public UnityRow(string name, int order, Keeps keeps, Cost cost, string about) : base(name, order, keeps, cost, about) { }
 
+        internal override string Rotation(BodyDescription body) =>
+            body.Unity.GyroscopicForces ? "rotation by PhysX's rule with its gyroscopic switch" : base.Rotation(body);
+
+        internal override string Settings(BodyDescription body) => string.Format(
+            CultureInfo.InvariantCulture,
+            "drag {0:R} /s, angularDrag {1:R} /s, limit {2:R} rad/s, sleep below {3:R} J/kg",
+            body.Unity.Drag,
+            body.Unity.AngularDrag,
+            body.Unity.MaxAngularVelocity,
+            body.Unity.SleepThreshold);
+
+        // it sleeps after a while, and that is not known before
+        internal override bool Coasts(BodyDescription body, StretchPlan stretch) => false;
+
         internal override Body Build(BodyPlan plan, Clock clock)
         {
             if (plan.Body.Unity.InDouble)
@@ -94,6 +123,8 @@ namespace RigidBodyDynamics
     internal sealed class SplittingRow : CatalogueRow
     {
         public SplittingRow(string name, int order, Keeps keeps, Cost cost, string about) : base(name, order, keeps, cost, about) { }
+
+        internal override string Rotation(BodyDescription body) => "free rotation, split into three (order 2)";
 
         internal override Body Build(BodyPlan plan, Clock clock)
         {
@@ -110,6 +141,39 @@ namespace RigidBodyDynamics
         public CompositionRow(string name, int order, Keeps keeps, Cost cost, string about) : base(name, order, keeps, cost, about) { }
 
         internal override Body Build(BodyPlan plan, Clock clock) => FreeTops.Choose(plan.Body, new Maker(plan, clock));
+
+        internal override string Rotation(BodyDescription body) => "free rotation of " + FreeTops.Choose(body, new FreeTops.Words()) + " (exact)";
+
+        internal override string Simpler(BodyDescription body)
+        {
+            Vector3d i = body.Mass.PrincipalMoments;
+            return body.Mass.IsIsotropic ? "all moments are equal, so ω stays"
+                : i.X == i.Y || i.Y == i.Z || i.Z == i.X ? "two moments are equal, so two turns are enough" : null;
+        }
+
+        internal override bool Coasts(BodyDescription body, StretchPlan stretch) =>
+            base.Coasts(body, stretch) || FreeTops.Choose(body, new Coaster(body, stretch));
+
+        /// <summary>Asks the top itself.</summary>
+        private sealed class Coaster : FreeTops.IUse<bool>
+        {
+            private readonly BodyDescription _body;
+            private readonly StretchPlan _stretch;
+
+            public Coaster(BodyDescription body, StretchPlan stretch)
+            {
+                _body = body;
+                _stretch = stretch;
+            }
+
+            public bool With<TTop>() where TTop : struct, IFreeTop
+            {
+                Composition<TTop, TScheme> start = default(Composition<TTop, TScheme>);
+                start.Start(_body);
+                start.Prepare(1, _stretch.Coasting);
+                return _stretch.Pushes.Count == 0 && start.HasClosedForm;
+            }
+        }
 
         private sealed class Maker : FreeTops.IUse<Body>
         {

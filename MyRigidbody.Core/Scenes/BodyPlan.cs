@@ -67,7 +67,7 @@ namespace RigidBodyDynamics
         internal BodyDescription Body { get; }
 
         /// <summary>The body as the scene describes it.</summary>
-        internal BodyDescription Asked { get; }
+        public BodyDescription Asked { get; }
 
         internal bool MayCoast { get; }
 

@@ -1,0 +1,184 @@
+using System;
+using System.Collections.Generic;
+using System.Globalization;
+using System.Text;
+
+namespace RigidBodyDynamics
+{
+    /// <summary>
+    /// A plan in words: what a body's motion consists of, what was left out and why. Made of the plan that runs, so that
+    /// it cannot say something else.
+    /// </summary>
+    public sealed class Explanation
+    {
+        private readonly BodyPlan _plan;
+        private readonly List<Omission> _leftOut = new List<Omission>();
+        private readonly List<string> _notes = new List<string>();
+
+        /// <summary>Of a plan, for instance <c>simulation.Bodies[0].Plan</c>.</summary>
+        public Explanation(BodyPlan plan)
+        {
+            _plan = Guard.NotNull(plan, nameof(plan));
+            LeaveOut();
+            LookAtSprings();
+        }
+
+        /// <summary>What is not computed.</summary>
+        public IReadOnlyList<Omission> LeftOut => _leftOut;
+
+        /// <summary>What one should know besides.</summary>
+        public IReadOnlyList<string> Notes => _notes;
+
+        /// <summary>What the motion consists of in a stretch of time, part by part.</summary>
+        public IReadOnlyList<string> Parts(StretchPlan stretch)
+        {
+            List<string> parts = new List<string>();
+            BodyDescription body = _plan.Body;
+            bool isExact = (_plan.Row.Keeps & Keeps.Energy) != 0;
+            if (body.CanMove)
+                parts.Add("drift");
+
+            foreach (Effect effect in Guard.NotNull(stretch, nameof(stretch)).Effects)
+            {
+                if (effect.Motion is ICoast)
+                    parts.Add(effect.Motion + (isExact && !(effect.Motion is DecayPerStep) ? " (closed form)" : string.Empty));
+            }
+
+            if (body.CanTurn)
+                parts.Add(_plan.Row.Rotation(body));
+
+            if (_plan.Row.Settings(body) is string settings)
+                parts.Add(settings);
+
+            foreach (PushEffect push in stretch.Pushes)
+                parts.Add(push.Push.ToString());
+
+            if (parts.Count == 0)
+                parts.Add("rest");
+
+            return parts;
+        }
+
+        /// <summary>True if the steps of a stretch are not taken until somebody looks.</summary>
+        public bool Coasts(StretchPlan stretch) => _plan.MayCoast && _plan.Row.Coasts(_plan.Body, Guard.NotNull(stretch, nameof(stretch)));
+
+        /// <summary>From when to when a stretch lasts.</summary>
+        public string Time(StretchPlan stretch)
+        {
+            Guard.NotNull(stretch, nameof(stretch));
+            string from = _plan.Steps.StartOf(stretch.First).ToString("R", CultureInfo.InvariantCulture) + " s";
+            if (stretch.End == _plan.Steps.Count)
+                return stretch.First == 0 ? "always" : "from " + from;
+
+            return from + " to " + _plan.Steps.StartOf(stretch.End).ToString("R", CultureInfo.InvariantCulture) + " s";
+        }
+
+        /// <summary>All of it, line by line.</summary>
+        public override string ToString()
+        {
+            const int MostStretches = 20;
+            StringBuilder text = new StringBuilder();
+            text.Append(_plan.Body.Name).Append(", by ").Append(_plan.Row.Name).Append('\n');
+            for (int i = 0; i < Math.Min(MostStretches, _plan.Stretches.Count); i++)
+            {
+                StretchPlan stretch = _plan.Stretches[i];
+                text.Append("  ").Append(Time(stretch)).Append(": ").Append(string.Join(", ", Parts(stretch)));
+                text.Append(Coasts(stretch) ? "; computed when somebody looks\n" : "\n");
+            }
+
+            if (_plan.Stretches.Count > MostStretches)
+                text.Append("  and ").Append(_plan.Stretches.Count - MostStretches).Append(" stretches more\n");
+
+            foreach (Omission omission in _leftOut)
+                text.Append("  left out: ").Append(omission.What).Append(" (").Append(omission.Why).Append(")\n");
+
+            foreach (string note in _notes)
+                text.Append("  note: ").Append(note).Append('\n');
+
+            return text.ToString();
+        }
+
+        private void LeaveOut()
+        {
+            BodyDescription asked = _plan.Asked;
+            const Omissions Steps = Omissions.All & ~Omissions.Coasting;
+            foreach (StretchPlan stretch in _plan.Stretches)
+            {
+                if (Coasts(stretch))
+                {
+                    Add("steps that nobody looks at", "nothing pushes " + Time(stretch) + ", so there is a closed form", asked, Steps);
+                    break;
+                }
+            }
+
+            if ((_plan.LeftOut & Omissions.Rotation) != 0)
+                Add("rotation", "it starts without spin and nothing turns it", asked, Steps & ~Omissions.Rotation);
+            else if (!asked.CanTurn)
+                Add("rotation", "the scene says that it cannot turn", null, Steps);
+            else if (_plan.Row.Simpler(_plan.Body) is string simpler)
+                Add("the general free rotation", simpler, ThreeMoments(asked), Steps);
+
+            if ((_plan.LeftOut & Omissions.Translation) != 0)
+                Add("translation", "it starts at rest and nothing moves it", asked, Steps & ~Omissions.Translation);
+            else if (!asked.CanMove)
+                Add("translation", "the scene says that it cannot move", null, Steps);
+
+            bool falls = false, isDamped = false, drags = false;
+            foreach (Effect effect in asked.Effects)
+            {
+                falls |= effect.Motion is Gravity;
+                isDamped |= effect.Motion is LinearDamping || effect.Motion is AngularDamping || effect.Motion is DecayPerStep;
+                drags |= effect.Motion is QuadraticDrag;
+            }
+
+            const string None = "none in the scene";
+            if (!falls && asked.CanMove)
+                Add("gravity", None, Copy(asked).With(new Gravity(new Vector3d(0, -9.81, 0))), Steps);
+
+            if (!isDamped)
+                Add("damping", None, Copy(asked).With(new LinearDamping(0.1)).With(new AngularDamping(0.1)), Steps);
+
+            if (!drags && asked.CanMove)
+                Add("drag", None, Copy(asked).With(new QuadraticDrag(0.01)), Steps);
+
+            if (!_plan.IsPushed)
+                Add("forces and torques", None, Copy(asked).With(new Force(new Vector3d(1, 0, 0))).With(Torque.Constant(new Vector3d(1, 0, 0))), Steps);
+        }
+
+        private void LookAtSprings()
+        {
+            double longest = 0;
+            for (int i = 0; i < _plan.Stretches.Count; i++)
+                longest = Math.Max(longest, _plan.Steps.Length(_plan.Stretches[i].First));
+
+            foreach (Effect effect in _plan.Asked.Effects)
+            {
+                if (!(effect.Motion is Spring spring))
+                    continue;
+
+                double stable = spring.LongestStableStep(_plan.Asked.Mass);
+                _notes.Add(string.Format(
+                    CultureInfo.InvariantCulture,
+                    "{0}: swings are stable in steps below {1:g3} s{2}",
+                    spring,
+                    stable,
+                    longest < stable ? string.Empty : ", and the scene's is " + longest.ToString("g3", CultureInfo.InvariantCulture) + " s"));
+            }
+        }
+
+        private void Add(string what, string why, BodyDescription with, Omissions mayLeaveOut) =>
+            _leftOut.Add(new Omission(what, why, with, mayLeaveOut));
+
+        private static BodyDescription Copy(BodyDescription body) => body.Copy(body.Name, body.Mass);
+
+        /// <summary>The same body with moments that differ, as far as a body's can.</summary>
+        private static BodyDescription ThreeMoments(BodyDescription body)
+        {
+            Vector3d i = body.Mass.PrincipalMoments;
+            double least = Math.Min(i.X, Math.Min(i.Y, i.Z));
+            // a little more mass to both sides of two planes: whatever that makes of them is a body
+            Vector3d moments = i + least * new Vector3d(0.2, 0.1, 0.3);
+            return body.Copy(body.Name, MassProperties.FromPrincipal(body.Mass.Mass, moments, body.Mass.PrincipalFrame, body.Mass.CenterOfMass));
+        }
+    }
+}

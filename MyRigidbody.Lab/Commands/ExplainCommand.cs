@@ -1,0 +1,125 @@
+using System.CommandLine;
+using System.Globalization;
+using System.Text.Json;
+using RigidBodyDynamics.Lab.Explain;
+using RigidBodyDynamics.Lab.Output;
+
+namespace RigidBodyDynamics.Lab.Commands;
+
+/// <summary>What each body's motion consists of, what was left out and why, and what that saves.</summary>
+internal static class ExplainCommand
+{
+    private static readonly JsonSerializerOptions Indented = new() { WriteIndented = true };
+
+    public static Command Create()
+    {
+        Argument<string> scene = new("SCENE") { Description = "a scene or a recording" };
+        Option<bool> json = new("--json") { Description = "as JSON" };
+        Command command = new("explain", "What each body's motion consists of, what is left out and why, and what that saves") { scene, json };
+        command.SetAction(parsed => Execute(parsed.GetRequiredValue(scene), parsed.GetValue(json)));
+        return command;
+    }
+
+    private static int Execute(string path, bool json)
+    {
+        Scene scene = SceneReader.Read(path).Scene;
+        Simulation simulation = Overrides.Named(path, () => new Simulation(scene));
+
+        // bodies that move alike are explained once
+        List<Explained> bodies = [];
+        Dictionary<string, Explained> known = [];
+        foreach (Body body in simulation.Bodies)
+        {
+            Explanation explanation = new(body.Plan);
+            string words = explanation.ToString();
+            string key = body.Integrator + words[words.IndexOf('\n', StringComparison.Ordinal)..];
+            if (known.TryGetValue(key, out Explained? like))
+            {
+                like.Names.Add(body.Name);
+                continue;
+            }
+
+            bodies.Add(new Explained(body.Plan, explanation));
+            bodies[^1].Names.Add(body.Name);
+            known.Add(key, bodies[^1]);
+        }
+
+        Terminal.WithProgress("measuring what is left out", report =>
+        {
+            for (int i = 0; i < bodies.Count; i++)
+            {
+                int before = i;
+                bodies[i].Savings = Saving.Measure(bodies[i].Plan, bodies[i].Explanation.LeftOut, done => report((before + done) / bodies.Count));
+            }
+        });
+
+        if (json)
+            Console.Out.WriteLine(JsonSerializer.Serialize(new { scene = scene.Name, bodies = bodies.Select(body => body.ToJson()) }, Indented));
+        else
+            Console.Out.Write(string.Join("\n", bodies.Select(body => body.ToText())));
+
+        return 0;
+    }
+
+    /// <summary>One or more bodies that move alike.</summary>
+    private sealed record Explained(BodyPlan Plan, Explanation Explanation)
+    {
+        private const int MostNames = 5;
+        private const int MostStretches = 20;
+
+        public List<string> Names { get; } = [];
+
+        public IReadOnlyList<Saving> Savings { get; set; } = [];
+
+        public string ToText()
+        {
+            string names = string.Join(", ", Names.Take(MostNames)) + (Names.Count > MostNames ? $" and {Names.Count - MostNames} bodies more" : string.Empty);
+            List<string> lines = [$"{names}, by {Plan.Row.Name}"];
+            foreach (StretchPlan stretch in Plan.Stretches.Take(MostStretches))
+            {
+                lines.Add($"  {Explanation.Time(stretch)}: {string.Join(", ", Explanation.Parts(stretch))}"
+                    + (Explanation.Coasts(stretch) ? "; computed when somebody looks" : string.Empty));
+            }
+
+            if (Plan.Stretches.Count > MostStretches)
+                lines.Add($"  and {Plan.Stretches.Count - MostStretches} stretches more");
+
+            if (Savings.Count > 0)
+                lines.Add("  left out:");
+
+            foreach (Saving saving in Savings)
+            {
+                lines.Add($"    {saving.Omission.What} ({saving.Omission.Why})"
+                    + (double.IsNaN(saving.With) ? string.Empty : $"; saves {Short(saving.Nanoseconds)} ns of {Short(saving.With)} ns a step, measured"));
+            }
+
+            lines.AddRange(Explanation.Notes.Select(note => "  note: " + note));
+            return string.Join('\n', lines) + "\n";
+        }
+
+        public object ToJson() => new
+        {
+            names = Names,
+            integrator = Plan.Row.Name,
+            stretches = Plan.Stretches.Select(stretch => new
+            {
+                from = Plan.Steps.StartOf(stretch.First),
+                to = stretch.End == Plan.Steps.Count ? (double?)null : Plan.Steps.StartOf(stretch.End),
+                parts = Explanation.Parts(stretch),
+                computedWhenLookedAt = Explanation.Coasts(stretch),
+            }),
+            leftOut = Savings.Select(saving => new
+            {
+                what = saving.Omission.What,
+                why = saving.Omission.Why,
+                nanosecondsSaved = Finite(saving.Nanoseconds),
+                nanosecondsWithIt = Finite(saving.With),
+            }),
+            notes = Explanation.Notes,
+        };
+
+        private static double? Finite(double figure) => double.IsFinite(figure) ? Math.Round(figure, 2) : null;
+
+        private static string Short(double nanoseconds) => nanoseconds.ToString(nanoseconds < 10 ? "0.#" : "0", CultureInfo.InvariantCulture);
+    }
+}

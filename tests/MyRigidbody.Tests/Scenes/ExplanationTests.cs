@@ -1,0 +1,118 @@
+using NUnit.Framework;
+
+namespace RigidBodyDynamics.Tests;
+
+/// <summary>What a plan says of a body is what the simulation does with it.</summary>
+public sealed class ExplanationTests
+{
+    [TestCase("Exact", 1, 2, 3, "free rotation of a body with three different moments (exact)")]
+    [TestCase("Exact6", 2, 3, 2, "free rotation of a body with two equal moments (exact)")]
+    [TestCase("Exact4", 2, 2, 2, "free rotation of a body with three equal moments (exact)")]
+    [TestCase("Splitting", 1, 2, 3, "free rotation, split into three (order 2)")]
+    [TestCase("RungeKutta4", 1, 2, 3, "rotation by RungeKutta4")]
+    [TestCase("LabEuler", 1, 2, 3, "rotation by LabEuler (no gyroscopic term)")]
+    public void Rotation_is_named_for_what_it_is(string integrator, double i1, double i2, double i3, string words)
+    {
+        BodyDescription body = Top(integrator, new Vector3d(i1, i2, i3));
+        Assert.That(Parts(body), Is.EqualTo(new[] { "drift", words }));
+    }
+
+    [Test]
+    public void Parts_follow_the_windows_of_the_effects()
+    {
+        BodyDescription body = Top("Exact", new Vector3d(1, 2, 3))
+            .With(new Gravity(new Vector3d(0, -9.81, 0)))
+            .With(new LinearDamping(0.3), 1)
+            .With(new Key(LabKey.R), 1, 2);
+        BodyPlan plan = new Simulation(TimeSteps.Every(0.02), body).Bodies[0].Plan;
+        Explanation explanation = new(plan);
+        const string Falls = "gravity (0, -9.81, 0) m/s² (closed form)", Turns = "free rotation of a body with three different moments (exact)";
+        Assert.That(plan.Stretches.Select(explanation.Time), Is.EqualTo(new[] { "0 s to 1 s", "1 s to 2 s", "from 2 s" }));
+        Assert.That(explanation.Parts(plan.Stretches[0]), Is.EqualTo(new[] { "drift", Falls, Turns }));
+        Assert.That(explanation.Parts(plan.Stretches[1]), Is.EqualTo(new[] { "drift", Falls, "linear damping 0.3 /s (closed form)", Turns, "key R" }));
+        Assert.That(plan.Stretches.Select(explanation.Coasts), Is.EqualTo(new[] { true, false, true }));
+        Assert.That(explanation.LeftOut.Select(omission => omission.What), Is.EqualTo(new[] { "steps that nobody looks at", "drag" }));
+        Assert.That(explanation.ToString(), Does.StartWith("top, by Exact\n  0 s to 1 s: drift, ").And.Contain("; computed when somebody looks\n").And.Contain("  left out: drag (none in the scene)\n"));
+    }
+
+    [TestCaseSource(typeof(Scenery), nameof(Scenery.Integrators))]
+    public void What_is_said_to_coast_is_dormant_and_nothing_else(string integrator)
+    {
+        foreach (Vector3d spin in new Vector3d[] { new(1, 1.1, 0.9), new(1e-3, 5, 1e-3), Vector3d.Zero })
+        {
+            foreach (bool isPushed in new[] { false, true })
+            {
+                BodyDescription like = Scenery.Body(integrator), body = Top(like.Integrator, new Vector3d(1, 2, 3));
+                body.Unity = like.Unity;
+                body.Start = new BodyState(Vector3d.Zero, Quaterniond.Identity, spin, spin);
+                if (isPushed)
+                    body.With(new Key(LabKey.R));
+
+                Body built = new Simulation(TimeSteps.Every(0.02), body).Bodies[0];
+                Assert.That(new Explanation(built.Plan).Coasts(built.Plan.Stretches[0]), Is.EqualTo(built.IsDormant), $"{spin} {isPushed}");
+            }
+        }
+    }
+
+    [Test]
+    public void Each_thing_left_out_comes_with_a_body_that_has_it()
+    {
+        BodyDescription[] bodies =
+        [
+            Top("Exact", new Vector3d(1, 2, 3)), Top("Exact", new Vector3d(2, 2, 2)), Top("Exact", new Vector3d(1e-6, 1, 1)),
+            Top("Exact", new Vector3d(1, 1, 2)), new("at rest", Solids.Sphere(1, 1)),
+        ];
+        foreach (BodyDescription body in bodies)
+        {
+            BodyPlan plan = new Simulation(TimeSteps.Every(0.02), body).Bodies[0].Plan;
+            Explanation explanation = new(plan);
+            Assert.That(explanation.LeftOut, Has.Count.GreaterThanOrEqualTo(3));
+            foreach (Omission omission in explanation.LeftOut)
+            {
+                Simulation with = new(new Scene("with", string.Empty, plan.Steps, [omission.With]), omission.MayLeaveOut);
+                with.Step(10);
+                Assert.That(with.Bodies[0].State.IsFinite, omission.What);
+                Assert.That(new Explanation(with.Bodies[0].Plan).LeftOut.Select(other => other.What), Does.Not.Contain(omission.What));
+            }
+        }
+    }
+
+    [Test]
+    public void Body_that_rests_says_so_and_why()
+    {
+        BodyDescription body = new("stone", Solids.Sphere(1, 1));
+        Assert.That(Parts(body), Is.EqualTo(new[] { "rest" }));
+        string text = new Explanation(new Simulation(TimeSteps.Every(0.02), body).Bodies[0].Plan).ToString();
+        Assert.That(text, Does.Contain("rotation (it starts without spin and nothing turns it)"));
+        Assert.That(text, Does.Contain("translation (it starts at rest and nothing moves it)"));
+    }
+
+    [TestCase(0.01, "swings are stable in steps below 0.2 s")]
+    [TestCase(0.25, "swings are stable in steps below 0.2 s, and the scene's is 0.25 s")]
+    public void Spring_says_its_longest_step(double step, string note)
+    {
+        BodyDescription body = Top("Exact", new Vector3d(1, 2, 3)).With(new Spring(Vector3d.Zero, Vector3d.Zero, 100));
+        Explanation explanation = new(new Simulation(TimeSteps.Every(step), body).Bodies[0].Plan);
+        Assert.That(explanation.Notes, Has.Count.EqualTo(1));
+        Assert.That(explanation.Notes[0], Does.EndWith(note));
+    }
+
+    [Test]
+    public void Unity_s_body_says_what_it_does_of_itself()
+    {
+        BodyDescription body = Top("UnityRigidbody", new Vector3d(1, 2, 3));
+        Assert.That(Parts(body), Does.Contain("drag 0 /s, angularDrag 0.05 /s, limit 7 rad/s, sleep below 0.005 J/kg"));
+    }
+
+    private static IReadOnlyList<string> Parts(BodyDescription body)
+    {
+        BodyPlan plan = new Simulation(TimeSteps.Every(0.02), body).Bodies[0].Plan;
+        return new Explanation(plan).Parts(plan.Stretches[0]);
+    }
+
+    private static BodyDescription Top(string integrator, Vector3d moments) => new("top", MassProperties.FromPrincipal(1, moments))
+    {
+        Integrator = integrator,
+        Start = new BodyState(Vector3d.Zero, Quaterniond.Identity, new Vector3d(1, 2, 3), new Vector3d(1, 1.1, 0.9)),
+    };
+}
