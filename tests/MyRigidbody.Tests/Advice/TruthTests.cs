@@ -18,12 +18,12 @@ public sealed class TruthTests
         {
             double t = sample.At * truth.BaseStep;
             Vector3d expected = body.Start.Position + t * body.Start.Velocity + 0.5 * t * t * Down;
-            Assert.That((sample.Bodies[0].Position - expected).Length, Is.LessThanOrEqualTo((2 * truth.Uncertainty) + 1e-12));
+            Assert.That((sample.Bodies[0].Position - expected).Length, Is.LessThanOrEqualTo((2 * truth.Uncertainty) + 1e-15)); // measured 1.6e-14
         }
 
         Assert.That(truth.Samples.Count, Is.EqualTo(20));
         Assert.That(truth.Samples[^1].At, Is.EqualTo(30));
-        Assert.That(truth.Uncertainty, Is.LessThan(1e-3)); // measured 4.2e-4 by a rule of order 1
+        Assert.That(truth.Uncertainty, Is.LessThan(1e-13)); // measured 1.5e-14
     }
 
     [Test]
@@ -35,10 +35,10 @@ public sealed class TruthTests
         foreach (TruthSample sample in truth.Samples)
         {
             Quaterniond expected = Quaterniond.FromAxisAngle(spin, 1.3 * sample.At * truth.BaseStep);
-            Assert.That(Conserved.AngleBetween(sample.Bodies[0].Orientation, expected), Is.LessThanOrEqualTo((2 * truth.Uncertainty) + 1e-12));
+            Assert.That(Conserved.AngleBetween(sample.Bodies[0].Orientation, expected), Is.LessThanOrEqualTo((2 * truth.Uncertainty) + 1e-15)); // measured 4.8e-16
         }
 
-        Assert.That(truth.Uncertainty, Is.LessThan(1e-6)); // measured 5.0e-11 by a rule of order 1
+        Assert.That(truth.Uncertainty, Is.LessThan(2e-15)); // measured 3.0e-16
     }
 
     [Test]
@@ -48,8 +48,8 @@ public sealed class TruthTests
         BodyDescription body = Ball(BodyState.AtRest).With(new Force(new Vector3d(3, 0, 0)), 1.0 / 3, 2.0 / 3);
         Truth truth = Truth.Of(SceneOf(1, body));
 
-        Assert.That(truth.Samples[^1].Bodies[0].Velocity.X, Is.EqualTo(1).Within(1e-12)); // measured 1e-15
-        Assert.That(truth.Samples[^1].Bodies[0].Position.X, Is.EqualTo((1.0 / 6) + (1.0 / 3)).Within((2 * truth.Uncertainty) + 1e-12));
+        Assert.That(truth.Samples[^1].Bodies[0].Velocity.X, Is.EqualTo(1).Within(2e-15)); // measured 4.4e-16
+        Assert.That(truth.Samples[^1].Bodies[0].Position.X, Is.EqualTo((1.0 / 6) + (1.0 / 3)).Within((2 * truth.Uncertainty) + 1e-15)); // measured 1.1e-16
     }
 
     [TestCase(0.02)]
@@ -62,20 +62,20 @@ public sealed class TruthTests
         Truth truth = Truth.Of(SceneOf(duration, Ball(BodyState.AtRest)));
 
         Assert.That(truth.Samples.Count, Is.GreaterThanOrEqualTo(10));
-        Assert.That(truth.Samples[^1].At * truth.BaseStep, Is.EqualTo(duration).Within(1e-12));
+        Assert.That(truth.Samples[^1].At * truth.BaseStep, Is.EqualTo(duration).Within(1e-14)); // measured 5.6e-17
     }
 
     [Test]
     public void Floor_shows_how_much_the_start_must_be_known()
     {
-        // an unstable balance: x'' = 100 x grows by e^40 in 4 s, and a ball in free flight keeps its place
-        BodyState start = new(new Vector3d(1e-3, 0, 0), Quaterniond.Identity, Vector3d.Zero, Vector3d.Zero);
-        BodyDescription unstable = Ball(start).With(new Repulsion(100));
+        // an unstable balance: what x is off 1 m, x'' = 100 (x − 1), grows by e^40 in 4 s; a ball in free flight keeps its place
+        BodyState start = new(new Vector3d(1, 0, 0), Quaterniond.Identity, Vector3d.Zero, Vector3d.Zero);
+        BodyDescription unstable = Ball(start).With(new Repulsion(100)).With(new Force(new Vector3d(-100, 0, 0)));
 
         double stays = Truth.Of(SceneOf(4, Ball(start))).Floor, flees = Truth.Of(SceneOf(4, unstable)).Floor;
 
-        Assert.That(stays, Is.LessThan(1e-15)); // measured 1.1e-16
-        Assert.That(flees, Is.GreaterThan(0.01)); // expected 2.2e-19 · e^40 / 2 = 0.026
+        Assert.That(stays, Is.LessThan(1e-15)); // measured 2.2e-16
+        Assert.That(flees, Is.GreaterThan(1)); // measured 6.3; but for roundings 2.2e-16 · e^40 / 2 = 26
     }
 
     [Test]

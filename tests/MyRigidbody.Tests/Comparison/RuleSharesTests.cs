@@ -16,8 +16,8 @@ public sealed class RuleSharesTests
 
         double distance = found.Shares.Sum(share => share.Distance), turn = found.Shares.Sum(share => share.Turn);
         // measured 1.1e-14 m, 7.1e-15 rad
-        Assert.That(distance, Is.EqualTo(found.Whole.MeanDistance).Within(1e-12));
-        Assert.That(turn, Is.EqualTo(found.Whole.MeanTurn).Within(1e-12));
+        Assert.That(distance, Is.EqualTo(found.Whole.MeanDistance).Within(1e-13));
+        Assert.That(turn, Is.EqualTo(found.Whole.MeanTurn).Within(1e-13));
         Assert.That(found.Whole.MeanDistance, Is.GreaterThan(1));
         Assert.That(found.Whole.MeanTurn, Is.GreaterThan(1));
     }
@@ -30,8 +30,8 @@ public sealed class RuleSharesTests
         Apart apart = Apart.Between(mine, Rule.LabInUnitysShape(mine), Steps);
 
         // measured 0 m and 3.6e-15 rad: the order of roundings is all that differs
-        Assert.That(apart.Farthest.Distance, Is.LessThan(1e-12));
-        Assert.That(apart.Farthest.Turn, Is.LessThan(1e-12));
+        Assert.That(apart.Farthest.Distance, Is.LessThan(1e-14));
+        Assert.That(apart.Farthest.Turn, Is.LessThan(2e-14));
     }
 
     [Test]
@@ -55,7 +55,7 @@ public sealed class RuleSharesTests
 
         RuleShare damping = found.Shares.Single(share => share.Rule.Name == "damping");
 
-        Assert.That(damping.Distance / found.Whole.MeanDistance, Is.EqualTo(1).Within(1e-4)); // measured 1 - 1.5e-6
+        Assert.That(damping.Distance / found.Whole.MeanDistance, Is.EqualTo(1).Within(1e-5)); // measured 1.5e-6
     }
 
     [Test]
@@ -71,8 +71,8 @@ public sealed class RuleSharesTests
             sum += mine.Turned(0).Length;
         }
 
-        // twice of what mine has turned is missing to three times; first-order orientation is off by 1e-4 of it
-        Assert.That(inertia.Turn, Is.EqualTo(2 * sum / 25).Within(1e-3 * sum)); // measured 1.0e-6 of sum
+        // twice of what mine has turned is missing to three times; first-order orientation is off by 1e-5 of it at most
+        Assert.That(inertia.Turn, Is.EqualTo(2 * sum / 25).Within(1e-5 * sum)); // measured 1.0e-6 of sum
     }
 
     [Test]

@@ -25,7 +25,7 @@ public sealed class RandomBodiesTests
     public void Classical_Runge_Kutta_keeps_hardly_one_of_them_there()
     {
         string[] some = [.. Lines.Skip(1).Where((_, i) => i % 10 == 0)];
-        Assert.That(some.Count(line => Worst(line, "RungeKutta4") <= 10), Is.LessThan(some.Length / 5)); // measured 4 of 100
+        Assert.That(some.Count(line => Worst(line, "RungeKutta4") <= 10), Is.LessThan(some.Length / 50)); // measured 0 of 100
     }
 
     private static double Worst(string line, string integrator)

@@ -22,14 +22,14 @@ public sealed class KeepsTests
         (double length, double vector, _, _) = Drift(integrator, motion);
         TestContext.Out.WriteLine(FormattableString.Invariant($"length {length:g2}, vector {vector:g2}"));
         if (keeps.HasFlag(Keeps.MomentumLength))
-            Assert.That(length, Is.LessThan(4e-16 * Steps)); // measured at most 5.1e-12, ExplicitGyroscopic
+            Assert.That(length, Is.LessThan(4e-16 * Steps)); // measured at most 5.3e-12, ExplicitGyroscopic
         else
-            Assert.That(vector, Is.GreaterThan(1e-6)); // measured at least 2e-4
+            Assert.That(vector, Is.GreaterThan(5e-5)); // measured at least 2.8e-4
 
         if (keeps.HasFlag(Keeps.Momentum))
-            Assert.That(vector, Is.LessThan(1e-12)); // measured at most 1.2e-13
+            Assert.That(vector, Is.LessThan(1e-12)); // measured at most 1.6e-13, Splitting
         else
-            Assert.That(vector, Is.GreaterThan(1e-6));
+            Assert.That(vector, Is.GreaterThan(5e-5)); // measured at least 2.8e-4
     }
 
     [TestCaseSource(nameof(Cases))]
@@ -39,11 +39,11 @@ public sealed class KeepsTests
         (_, _, double first, double second) = Drift(integrator, motion);
         TestContext.Out.WriteLine(FormattableString.Invariant($"first half {first:g2}, second half {second:g2}"));
         if (keeps.HasFlag(Keeps.Energy))
-            Assert.That(Math.Max(first, second), Is.LessThan(1e-14)); // measured at most 3.3e-15, most of it the state's own rounding
+            Assert.That(Math.Max(first, second), Is.LessThan(1e-14)); // measured at most 3.6e-15, most of it the state's own rounding
         else if (keeps.HasFlag(Keeps.EnergyBounded))
-            Assert.That(second, Is.LessThan(1.1 * first + 1e-13)); // measured at most 1.00
+            Assert.That(second, Is.LessThan(1.1 * first + 1e-13)); // measured at most 1.00 of the first
         else if (keeps.HasFlag(Keeps.Motion))
-            Assert.That(second, Is.GreaterThan(1e-9)); // measured at least 1.8e-8
+            Assert.That(second, Is.GreaterThan(1e-9)); // measured at least 2.0e-8
     }
 
     [TestCaseSource(nameof(Cases))]

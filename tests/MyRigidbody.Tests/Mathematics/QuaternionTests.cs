@@ -143,7 +143,7 @@ public sealed class QuaternionTests
                 Apart(x, q.Rotate(new Vector3d(1, 0, 0))),
                 Math.Max(Apart(y, q.Rotate(new Vector3d(0, 1, 0))), Apart(z, q.Rotate(new Vector3d(0, 0, 1)))));
         },
-        2e-15); // measured 0
+        2e-15); // measured 4.9e-324
 
     [Test]
     public void Angle_between_orientations_is_that_of_the_turn_between_them() => Property.Holds(
@@ -179,7 +179,7 @@ public sealed class QuaternionTests
     public void Product_of_two_turns_differs_from_that_the_other_way_round()
     {
         Quaterniond x = Quaterniond.FromAxisAngle(new Vector3d(1, 0, 0), 1), y = Quaterniond.FromAxisAngle(new Vector3d(0, 1, 0), 1);
-        Assert.That((x * y).Z, Is.EqualTo(Math.Sin(0.5) * Math.Sin(0.5)).Within(1e-16));
-        Assert.That((y * x).Z, Is.EqualTo(-Math.Sin(0.5) * Math.Sin(0.5)).Within(1e-16));
+        Assert.That((x * y).Z, Is.EqualTo(Math.Sin(0.5) * Math.Sin(0.5)).Within(1e-16)); // measured 0
+        Assert.That((y * x).Z, Is.EqualTo(-Math.Sin(0.5) * Math.Sin(0.5)).Within(1e-16)); // measured 0
     }
 }

@@ -67,8 +67,8 @@ public sealed class CoastingTests
                 TimeSteps.Every(1.0 / steps), new BodyDescription("b", Pushes.Mass) { Start = start }.With(new DecayPerStep(0.98, 0.98)));
             simulation.Step(steps);
             // given in whole per cent
-            Assert.That(simulation.Bodies[0].State.Velocity.X, Is.EqualTo(left).Within(0.005));
-            Assert.That(simulation.Bodies[0].State.AngularVelocity.Y, Is.EqualTo(left).Within(0.005));
+            Assert.That(simulation.Bodies[0].State.Velocity.X, Is.EqualTo(left).Within(0.005)); // measured 0.0045
+            Assert.That(simulation.Bodies[0].State.AngularVelocity.Y, Is.EqualTo(left).Within(0.005)); // measured 0.0047
         }
     }
 
@@ -97,7 +97,7 @@ public sealed class CoastingTests
         Assert.That(Apart(state.Velocity, v) / v.Length, Is.LessThan(1e-15)); // measured 1.7e-16
         Assert.That(Apart(state.Position, x) / x.Length, Is.LessThan(1e-15)); // measured 1.2e-16
         double spin = Apart(state.AngularVelocity, Math.Exp(-2 * c * h) * start.AngularVelocity) / start.AngularVelocity.Length;
-        Assert.That(spin, Is.LessThan(1e-15)); // measured 0
+        Assert.That(spin, Is.LessThan(1e-15)); // measured 8.3e-17
         Assert.That(state.Orientation, Is.EqualTo(start.Orientation));
     }
 

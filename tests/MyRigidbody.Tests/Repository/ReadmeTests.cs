@@ -72,8 +72,8 @@ public sealed class ReadmeTests
 
         Assert.That(Between("```csharp", "```"), Is.EqualTo(lines));
         // x: 5 m/s² for the first second, then 5 m/s for nine; y: −9.81 · 10² / 2 m
-        Assert.That(simulation.Bodies[0].State.Position.X, Is.EqualTo(2.5 + 9 * 5).Within(1e-9)); // measured 47.5000000000004
-        Assert.That(simulation.Bodies[0].State.Position.Y, Is.EqualTo(-490.5).Within(1e-9));
+        Assert.That(simulation.Bodies[0].State.Position.X, Is.EqualTo(2.5 + 9 * 5).Within(2e-12)); // measured 4.0e-13
+        Assert.That(simulation.Bodies[0].State.Position.Y, Is.EqualTo(-490.5).Within(2e-12)); // measured 2.8e-13
     }
 
     private static string Percent(double share)

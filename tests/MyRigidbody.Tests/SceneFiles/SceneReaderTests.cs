@@ -21,7 +21,7 @@ public sealed class SceneReaderTests
         Assert.That(a.Integrator, Is.EqualTo("LabEuler"));
         Assert.That(a.Mass.Mass, Is.EqualTo(2));
         // m/4 (b² + c²) of a box with all mass in its vertices
-        Assert.That(a.Mass.PrincipalMoments.X, Is.EqualTo(2.0 / 4 * (4 + 9)).Within(1e-14));
+        Assert.That(a.Mass.PrincipalMoments.X, Is.EqualTo(2.0 / 4 * (4 + 9)).Within(1e-14)); // measured 0
         Assert.That(a.Mass.CenterOfMass, Is.EqualTo(new Vector3d(0.1, 0, 0)));
         Assert.That(a.Start.Position, Is.EqualTo(new Vector3d(1, 2, 3)));
         Assert.That(a.Start.Orientation, Is.EqualTo(new Quaterniond(1, 0, 0, 1)));
@@ -62,8 +62,8 @@ public sealed class SceneReaderTests
 
         Assert.That(wrench.Force, Is.EqualTo(new Vector3d(1, 5, 0)));
         Assert.That(wrench.BodyTorque.X, Is.EqualTo(1));
-        Assert.That(wrench.BodyTorque.Y, Is.EqualTo(Math.Sin(1)).Within(1e-15));
-        Assert.That(wrench.BodyTorque.Z, Is.EqualTo(Math.Cos(1)).Within(1e-15));
+        Assert.That(wrench.BodyTorque.Y, Is.EqualTo(Math.Sin(1)).Within(1e-15)); // measured 0
+        Assert.That(wrench.BodyTorque.Z, Is.EqualTo(Math.Cos(1)).Within(1e-15)); // measured 0
     }
 
     [Test]
@@ -74,7 +74,7 @@ public sealed class SceneReaderTests
             """).Scene.Bodies[0];
 
         Assert.That(body.Mass.Mass, Is.EqualTo(1));
-        Assert.That(body.Mass.PrincipalMoments.X, Is.EqualTo(1.0 / 6).Within(1e-16));
+        Assert.That(body.Mass.PrincipalMoments.X, Is.EqualTo(1.0 / 6).Within(1e-16)); // measured 0
         Assert.That(body.Start, Is.EqualTo(BodyState.AtRest));
         Assert.That(body.Integrator, Is.EqualTo(Catalogue.Default.Name));
         Assert.That(body.CanMove && body.CanTurn, Is.True);
@@ -115,7 +115,7 @@ public sealed class SceneReaderTests
 
         Assert.That(file.SolidBoxes.Keys, Is.EqualTo(new[] { "a" }));
         // m/12 (b² + c²), and the same centre of mass
-        Assert.That(file.SolidBoxes["a"].PrincipalMoments.X, Is.EqualTo(2.0 / 12 * (4 + 9)).Within(1e-15));
+        Assert.That(file.SolidBoxes["a"].PrincipalMoments.X, Is.EqualTo(2.0 / 12 * (4 + 9)).Within(1e-15)); // measured 0
         Assert.That(file.SolidBoxes["a"].CenterOfMass, Is.EqualTo(new Vector3d(0.1, 0, 0)));
     }
 
