@@ -8,6 +8,8 @@ namespace RigidBodyDynamics
         // three moments of any real body obey I1 + I2 >= I3; sums over points break it by roundings only
         private const double TriangleTolerance = 1e-9;
 
+        private TopShape _shape;
+
         private MassProperties(double mass, Vector3d moments, Quaterniond frame, SymmetricMatrix3 inertia, Vector3d center)
         {
             Mass = Guard.Positive(mass, nameof(mass));
@@ -46,6 +48,9 @@ namespace RigidBodyDynamics
 
         /// <summary>All three moments equal: a turn about any axis goes on unchanged.</summary>
         public bool IsIsotropic => PrincipalMoments.X == PrincipalMoments.Y && PrincipalMoments.Y == PrincipalMoments.Z;
+
+        /// <summary>What the free rotation takes from the moments; all bodies that share these properties share it.</summary>
+        internal TopShape Shape => _shape ?? (_shape = new TopShape(PrincipalMoments, PrincipalFrame));
 
         /// <summary>A body with known principal moments.</summary>
         /// <param name="mass">kg, above zero.</param>

@@ -12,19 +12,23 @@ namespace RigidBodyDynamics
     /// each step also sets w back to its energy and its Q, by amounts of the size of a rounding.
     /// Rounding errors of q and w are carried along (Kahan), for slow bodies the larger part of the error.
     /// </remarks>
-    internal struct AsymmetricTop : IFreeTop
+    internal partial struct AsymmetricTop : IFreeTop
     {
         // carried invariants this far from those of w are the remains of a body brought to rest
-        private const double SameInvariant = 1e-12;
+        internal const double SameInvariant = 1e-12;
         // w and q must not underflow when squared twice
-        private const double Resting = 1e-150;
+        internal const double Resting = 1e-150;
+        // the square of an angle so small that 1e18 of them are nothing
+        internal const double NoTurn = 1e-72;
         // near the unstable axis one step over many flips loses the small components
-        private const double LongestNearUnstable = 15;
+        internal const double LongestNearUnstable = 15;
         // where so many parts are not enough no digit of the input is left to be saved
         private const long MostParts = 1000;
         // (sine of) the largest angle at which a correction may be made at the wrong end of a step
-        private const double ShortSquared = 0.25 * 0.25;
-        private const double Tiny = 1e-290;
+        internal const double ShortSquared = 0.25 * 0.25;
+        internal const double Tiny = 1e-290;
+        // damping is taken into w before its factor underflows
+        internal const double LeastScale = 1e-100;
 
         private TopShape _shape;
         private Vector3d _w, _wLost;
@@ -49,7 +53,7 @@ namespace RigidBodyDynamics
         private double A3 => _shape.I3 * _w.Z * _w.Z + _shape.G3 * _w.Y * _w.Y;
 
         public void Start(MassProperties mass, Quaterniond orientation, Vector3d angularVelocity) =>
-            Start(new TopShape(mass.PrincipalMoments, mass.PrincipalFrame), orientation, angularVelocity);
+            Start(mass.Shape, orientation, angularVelocity);
 
         internal void Start(TopShape shape, Quaterniond orientation, Vector3d angularVelocity)
         {
@@ -87,7 +91,7 @@ namespace RigidBodyDynamics
 
             // L' = L × ω − c L is free rotation of M = L e^(ct) in the time s, s' = e^(−ct): w itself is left alone
             _scale = decay.Of(_scale);
-            if (_scale < 1e-100)
+            if (_scale < LeastScale)
                 Fold();
         }
 
@@ -113,7 +117,7 @@ namespace RigidBodyDynamics
                 _separation = separation;
 
             _preparedFor = time;
-            _count = _energy > Resting ? 1 : 0;
+            _count = _energy > Resting && _energy * time * time > NoTurn ? 1 : 0;
             if (_count == 0)
                 return;
 
@@ -211,10 +215,11 @@ namespace RigidBodyDynamics
 
         private void Fold()
         {
-            _w = _scale * _w;
-            _wLost = _scale * _wLost;
-            _energy *= _scale * _scale;
-            _separation *= _scale * _scale;
+            double left = _energy * (_scale * _scale) > Resting ? _scale : 0;
+            _w = left * _w;
+            _wLost = left * _wLost;
+            _energy *= left * left;
+            _separation *= left * left;
             _scale = 1;
             _preparedFor = double.NaN;
         }

@@ -1,7 +1,7 @@
 namespace RigidBodyDynamics
 {
     /// <summary>A body that does not turn: it has an orientation, and nothing is computed.</summary>
-    internal struct HeldTop : IFreeTop
+    internal partial struct HeldTop : IFreeTop
     {
         public Quaterniond Orientation { get; private set; }
 

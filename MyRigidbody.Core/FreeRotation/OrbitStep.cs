@@ -16,13 +16,13 @@ namespace RigidBodyDynamics
     internal struct OrbitStep
     {
         // the first term left out of the series is below 2^-52 of the sum
-        private const double ShortSquared = 0.04 * 0.04;
-        private const double IllConditioned = 0.02;
+        internal const double ShortSquared = 0.04 * 0.04;
+        internal const double IllConditioned = 0.02;
 
         // more than any finite step asks for: an infinite spin ends as a state that is not finite, not as a loop
-        private const int MostDoublings = 1100;
-        private const double F3 = 1 / 6.0, F4 = 1 / 24.0, F5 = 1 / 120.0, F6 = 1 / 720.0, F7 = 1 / 5040.0;
-        private const double F8 = 1 / 40320.0, F9 = 1 / 362880.0, F10 = 1 / 3628800.0, F11 = 1 / 39916800.0;
+        internal const int MostDoublings = 1100;
+        internal const double F3 = 1 / 6.0, F4 = 1 / 24.0, F5 = 1 / 120.0, F6 = 1 / 720.0, F7 = 1 / 5040.0;
+        internal const double F8 = 1 / 40320.0, F9 = 1 / 362880.0, F10 = 1 / 3628800.0, F11 = 1 / 39916800.0;
 
         public double S;
 

@@ -6,7 +6,7 @@ namespace RigidBodyDynamics
     /// Turns kept as r − 1 instead of r, and added to an orientation as an increment. A turn by a small angle φ then
     /// keeps its digits: in r, cos(φ/2) rounds to 1 and every product rounds as much as a large turn's.
     /// </summary>
-    internal static class SmallTurn
+    internal static partial class SmallTurn
     {
         /// <summary>r − 1 of the turn about an axis of the given length, at length rad/s for a time.</summary>
         public static Quaterniond Of(Vector3d axis, double length, double time)

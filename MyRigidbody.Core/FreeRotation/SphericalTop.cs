@@ -1,7 +1,7 @@
 namespace RigidBodyDynamics
 {
     /// <summary>Exact free rotation of a body with three equal moments, a cube or a ball: ω stays, q turns about it.</summary>
-    internal struct SphericalTop : IFreeTop
+    internal partial struct SphericalTop : IFreeTop
     {
         private double _inverseMoment;
         private Quaterniond _q, _qLost, _turn;

@@ -5,7 +5,7 @@ namespace RigidBodyDynamics
     /// rate |L|/I₁, in the body about its own axis at (1 − I₃/I₁) w₃; both rates stay, so q₊ = (turn about L) q (turn
     /// about axis 3).
     /// </summary>
-    internal struct SymmetricTop : IFreeTop
+    internal partial struct SymmetricTop : IFreeTop
     {
         private PrincipalAxesOrder _axes;
         private double _across, _along, _slip;

@@ -66,7 +66,10 @@ namespace RigidBodyDynamics
         /// <summary>One line about it.</summary>
         public string About { get; }
 
-        internal abstract Body Build(BodyPlan plan, Clock clock);
+        internal Body Build(BodyPlan plan, Clock clock) => Use(plan.Body, new BodyMaker(plan, clock));
+
+        /// <summary>Does something with the row's rule as a type, the one that suits a body.</summary>
+        internal abstract TResult Use<TResult>(BodyDescription body, IRuleUse<TResult> use);
 
         /// <summary>The rotation of a body by this rule, in words.</summary>
         internal virtual string Rotation(BodyDescription body) =>
@@ -81,6 +84,26 @@ namespace RigidBodyDynamics
         /// <summary>True if a body has a closed form by this rule while a stretch lasts.</summary>
         internal virtual bool Coasts(BodyDescription body, StretchPlan stretch) =>
             stretch.Pushes.Count == 0 && !body.CanMove && !body.CanTurn;
+
+        private sealed class BodyMaker : IRuleUse<Body>
+        {
+            private readonly BodyPlan _plan;
+            private readonly Clock _clock;
+
+            public BodyMaker(BodyPlan plan, Clock clock)
+            {
+                _plan = plan;
+                _clock = clock;
+            }
+
+            public Body With<TIntegrator>() where TIntegrator : struct, IIntegrator => new MovingBody<TIntegrator>(_plan, _clock);
+        }
+    }
+
+    /// <summary>Something to be done with a rule as a type.</summary>
+    internal interface IRuleUse<TResult>
+    {
+        TResult With<TIntegrator>() where TIntegrator : struct, IIntegrator;
     }
 
     /// <summary>A row whose rule is the struct <typeparamref name="TIntegrator"/>.</summary>
@@ -88,7 +111,7 @@ namespace RigidBodyDynamics
     {
         public CatalogueRow(string name, int order, Keeps keeps, Cost cost, string about) : base(name, order, keeps, cost, about) { }
 
-        internal override Body Build(BodyPlan plan, Clock clock) => new MovingBody<TIntegrator>(plan, clock);
+        internal override TResult Use<TResult>(BodyDescription body, IRuleUse<TResult> use) => use.With<TIntegrator>();
     }
 
     /// <summary>The row whose rule is chosen by the body's own precision.</summary>
@@ -110,13 +133,8 @@ namespace RigidBodyDynamics
         // it sleeps after a while, and that is not known before
         internal override bool Coasts(BodyDescription body, StretchPlan stretch) => false;
 
-        internal override Body Build(BodyPlan plan, Clock clock)
-        {
-            if (plan.Body.Unity.InDouble)
-                return new MovingBody<UnityRigidbody<ToDouble>>(plan, clock);
-
-            return new MovingBody<UnityRigidbody<ToSingle>>(plan, clock);
-        }
+        internal override TResult Use<TResult>(BodyDescription body, IRuleUse<TResult> use) =>
+            body.Unity.InDouble ? use.With<UnityRigidbody<ToDouble>>() : use.With<UnityRigidbody<ToSingle>>();
     }
 
     /// <summary>The row whose free rotation is split.</summary>
@@ -126,13 +144,8 @@ namespace RigidBodyDynamics
 
         internal override string Rotation(BodyDescription body) => "free rotation, split into three (order 2)";
 
-        internal override Body Build(BodyPlan plan, Clock clock)
-        {
-            if (plan.Body.CanTurn)
-                return new MovingBody<Composition<SplitTop, Order2>>(plan, clock);
-
-            return new MovingBody<Composition<HeldTop, Order2>>(plan, clock);
-        }
+        internal override TResult Use<TResult>(BodyDescription body, IRuleUse<TResult> use) =>
+            body.CanTurn ? use.With<Composition<SplitTop, Order2>>() : use.With<Composition<HeldTop, Order2>>();
     }
 
     /// <summary>A row whose free rotation is chosen by the body's moments: each body pays for what it is.</summary>
@@ -140,7 +153,8 @@ namespace RigidBodyDynamics
     {
         public CompositionRow(string name, int order, Keeps keeps, Cost cost, string about) : base(name, order, keeps, cost, about) { }
 
-        internal override Body Build(BodyPlan plan, Clock clock) => FreeTops.Choose(plan.Body, new Maker(plan, clock));
+        internal override TResult Use<TResult>(BodyDescription body, IRuleUse<TResult> use) =>
+            FreeTops.Choose(body, new WithTop<TResult>(use));
 
         internal override string Rotation(BodyDescription body) => "free rotation of " + FreeTops.Choose(body, new FreeTops.Words()) + " (exact)";
 
@@ -175,18 +189,13 @@ namespace RigidBodyDynamics
             }
         }
 
-        private sealed class Maker : FreeTops.IUse<Body>
+        private sealed class WithTop<TResult> : FreeTops.IUse<TResult>
         {
-            private readonly BodyPlan _plan;
-            private readonly Clock _clock;
+            private readonly IRuleUse<TResult> _use;
 
-            public Maker(BodyPlan plan, Clock clock)
-            {
-                _plan = plan;
-                _clock = clock;
-            }
+            public WithTop(IRuleUse<TResult> use) => _use = use;
 
-            public Body With<TTop>() where TTop : struct, IFreeTop => new MovingBody<Composition<TTop, TScheme>>(_plan, _clock);
+            public TResult With<TTop>() where TTop : struct, IFreeTop => _use.With<Composition<TTop, TScheme>>();
         }
     }
 }

@@ -5,7 +5,7 @@ namespace RigidBodyDynamics
     /// is damped and turns exactly; a step composes pushes and such stretches symmetrically. With nothing to push the
     /// step is one free motion, exact for any length.
     /// </summary>
-    internal struct Composition<TTop, TScheme> : IIntegrator
+    internal partial struct Composition<TTop, TScheme> : IIntegrator
         where TTop : struct, IFreeTop
         where TScheme : struct, IScheme
     {
@@ -57,7 +57,7 @@ namespace RigidBodyDynamics
 
             if (_decaysPerStep)
             {
-                _v = _coasting.LinearFactorPerStep * _v;
+                _v = Decay.By(_coasting.LinearFactorPerStep, _v);
                 _top.Damp(_perStep);
             }
         }

@@ -4,7 +4,7 @@ namespace RigidBodyDynamics
     /// The lab's script: five steps, in its order. It has no gyroscopic term, so with three different moments it
     /// keeps ω, not L, and converges to the motion of a real body only where the moments are equal.
     /// </summary>
-    public struct LabEuler : IIntegrator
+    public partial struct LabEuler : IIntegrator
     {
         private BodyState _body;
         private MassProperties _mass;
@@ -75,8 +75,8 @@ namespace RigidBodyDynamics
             }
 
             // 5. damping: v and ω times 0.98, or what else the scene asks for
-            _body.Velocity = _linearDecay * v;
-            _body.AngularVelocity = _angularDecay * w;
+            _body.Velocity = Decay.By(_linearDecay, v);
+            _body.AngularVelocity = Decay.By(_angularDecay, w);
             _body.Orientation = q;
             // x is the centre of mass; the body's origin turns about it
             _body.Position = _isOffCenter ? x + oldQ.Rotate(_mass.CenterOfMass) - q.Rotate(_mass.CenterOfMass) : x;

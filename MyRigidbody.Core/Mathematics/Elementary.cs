@@ -7,7 +7,7 @@ namespace RigidBodyDynamics
     /// the last bit. Argument reduction after Cody and Waite (Software Manual for the Elementary Functions, 1980),
     /// then Taylor's series on what is left.
     /// </summary>
-    public static class Elementary
+    public static partial class Elementary
     {
         // π/2 as a sum: four parts of 24 bits, whose product with a whole number below 2²⁹ is exact, and the rest. The
         // double closest to a multiple of π/2 is 2⁻⁶⁰ from it, so three parts and a rest would not do

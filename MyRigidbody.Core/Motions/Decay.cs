@@ -6,8 +6,9 @@ namespace RigidBodyDynamics
     /// What a velocity loses by damping, kept as the part that is lost beside the part that is left: v − lost · v rounds
     /// now up, now down, where left · v repeats the rounding of e^(−ch) at every step, and a million steps add it up.
     /// </summary>
-    internal readonly struct Decay
+    internal readonly partial struct Decay
     {
+        private const double Least = 1e-290;
         private readonly double _left;
         private readonly double _lost;
 
@@ -25,9 +26,28 @@ namespace RigidBodyDynamics
         public bool IsNone => _lost == 0;
 
         /// <summary>What is left of a number.</summary>
-        public double Of(double x) => Math.Abs(_lost) < 0.5 ? x - _lost * x : _left * x;
+        public double Of(double x)
+        {
+            double left = Math.Abs(_lost) < 0.5 ? x - _lost * x : _left * x;
+            return IsNone ? left : Rest(left);
+        }
 
         /// <summary>What is left of a vector.</summary>
-        public Vector3d Of(Vector3d v) => Math.Abs(_lost) < 0.5 ? v - _lost * v : _left * v;
+        public Vector3d Of(Vector3d v)
+        {
+            Vector3d left = Math.Abs(_lost) < 0.5 ? v - _lost * v : _left * v;
+            return IsNone ? left : Rest(left);
+        }
+
+        /// <summary>What is left of a vector by a factor alone.</summary>
+        public static Vector3d By(double factor, Vector3d v) => factor == 1 ? factor * v : Rest(factor * v);
+
+        /// <summary>
+        /// A number that has decayed to less than 1e-290 is zero, of its sign: what comes after that, numbers with ever fewer
+        /// digits, costs a processor ten times as much and never ends.
+        /// </summary>
+        private static double Rest(double x) => Math.Abs(x) < Least ? 0 * x : x;
+
+        private static Vector3d Rest(Vector3d v) => new Vector3d(Rest(v.X), Rest(v.Y), Rest(v.Z));
     }
 }

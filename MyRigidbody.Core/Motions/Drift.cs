@@ -6,7 +6,7 @@ namespace RigidBodyDynamics
     /// The exact flow of coasting over one duration: v' = g − c v has v = e^(−ch) v₀ + s g and x = x₀ + s v₀ + r g with
     /// s = (1 − e^(−ch))/c and r = (h − s)/c; and L' = −c L turns the body as far as it would turn freely in the time s.
     /// </summary>
-    internal readonly struct Drift
+    internal readonly partial struct Drift
     {
         /// <summary>The time in which a free body turns as far as the damped one, s.</summary>
         public readonly double TurningTime;

@@ -16,7 +16,15 @@ namespace RigidBodyDynamics.StepTimes
             if (arguments.Length == 1 && arguments[0] == "endurance")
                 return Endurance.Run() ? 0 : 1;
 
-            Console.Error.WriteLine("usage: StepTimes [endurance]");
+#if NET
+            if (arguments.Length == 1 && arguments[0] == "batch")
+            {
+                BatchTimes.Print();
+                return 0;
+            }
+
+#endif
+            Console.Error.WriteLine("usage: StepTimes [endurance | batch]");
             return 2;
         }
     }

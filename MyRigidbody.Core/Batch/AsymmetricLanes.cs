@@ -1,0 +1,268 @@
+#if NET
+using System.Runtime.CompilerServices;
+using Lanes = System.Numerics.Vector<double>;
+using Masks = System.Numerics.Vector<long>;
+using Vector = System.Numerics.Vector;
+
+namespace RigidBodyDynamics
+{
+    /// <summary>
+    /// The step of <see cref="AsymmetricTop"/> for several bodies at once: its operations in its order, so that each body
+    /// comes to the same bits. Where a body wants more than one turn, it alone is turned by its own rule.
+    /// </summary>
+    internal struct AsymmetricLanes : ITopLanes
+    {
+        public const int Q = CompositionLanes.Columns, QLost = Q + 4, W = QLost + 4, WLost = W + 3;
+        public const int Energy = WLost + 3, Separation = Energy + 1, Scale = Energy + 2, PreparedFor = Energy + 3;
+        public const int InverseEnergy = Energy + 4, S = InverseEnergy + 1, C1 = S + 1, C3 = S + 2, V1 = S + 3, V3 = S + 4, C = S + 5, Z = S + 6;
+
+        /// <summary>How many turns a step takes; negative where they are not short.</summary>
+        public const int Turns = S + 7;
+
+        private AsymmetricTop _one;
+        private TopShape _shape;
+        private Lanes _i1, _i3, _k1, _k2, _k3, _k1k2, _k1k3, _g1, _g3, _m1, _m3;
+
+        public int Columns => Turns + 1;
+
+        public void Start(MassProperties mass)
+        {
+            _one.Start(mass, Quaterniond.Identity, Vector3d.Zero);
+            _shape = mass.Shape;
+            _i1 = new Lanes(_shape.I1);
+            _i3 = new Lanes(_shape.I3);
+            _k1 = new Lanes(_shape.K1);
+            _k2 = new Lanes(_shape.K2);
+            _k3 = new Lanes(_shape.K3);
+            _k1k2 = new Lanes(_shape.K1 * _shape.K2);
+            _k1k3 = new Lanes(_shape.K1 * _shape.K3);
+            _g1 = new Lanes(_shape.G1);
+            _g3 = new Lanes(_shape.G3);
+            _m1 = new Lanes(_shape.M1);
+            _m3 = new Lanes(_shape.M3);
+        }
+
+        public Vector3d FromBody(Vector3d v) => _shape.Axes.FromBody(v);
+
+        public void Kick(in Group bodies, in Impulse impulse)
+        {
+            Fold(bodies, ~Vector.Equals(bodies[Scale], Lanes.One));
+            VectorLanes w = new VectorLanes(bodies, W), lost = new VectorLanes(bodies, WLost);
+            VectorLanes j = new VectorLanes(Vector3d.Zero);
+            if (impulse.HasWorld)
+                j = new QuaternionLanes(bodies, Q).RotateInverse(new VectorLanes(impulse.World));
+
+            if (impulse.HasBody)
+                j += new VectorLanes(impulse.Body);
+
+            Vector3d inverse = _shape.InverseMoments;
+            Lanes two = new Lanes(2);
+            Lanes d1 = new Lanes(inverse.X) * j.X, d2 = new Lanes(inverse.Y) * j.Y, d3 = new Lanes(inverse.Z) * j.Z;
+            Lanes e1 = (two * w.X + d1) * d1, e2 = (two * w.Y + d2) * d2, e3 = (two * w.Z + d3) * d3;
+            bodies[Energy] += _i1 * e1 + e2 + _i3 * e3;
+            bodies[Separation] += _m1 * e1 - _m3 * e3;
+            Change(ref w, ref lost, d1, d2, d3);
+            w.Write(bodies, W);
+            lost.Write(bodies, WLost);
+            bodies[PreparedFor] = new Lanes(double.NaN);
+        }
+
+        public void Damp(in Group bodies, in Decay decay)
+        {
+            if (decay.IsNone)
+                return;
+
+            Lanes scale = decay.Of(bodies[Scale]);
+            bodies[Scale] = scale;
+            Masks small = Vector.LessThan(scale, new Lanes(AsymmetricTop.LeastScale));
+            if (Vector.LessThanAny(scale, new Lanes(AsymmetricTop.LeastScale)))
+                Fold(bodies, small);
+        }
+
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        public void Advance(in Group bodies, double time)
+        {
+            Lanes scaled = new Lanes(time) * bodies[Scale];
+            if (!Vector.EqualsAll(scaled, bodies[PreparedFor]))
+                Prepare(bodies, scaled, time);
+
+            Lanes turns = bodies[Turns];
+            if (Vector.EqualsAll(turns, Lanes.One))
+                TurnShort(bodies);
+            else if (Vector.EqualsAll(turns, Lanes.Zero))
+                return;
+            else if (Vector.LessThanOrEqualAll(Vector.Abs(turns), Lanes.One))
+                TurnAny(bodies);
+            else
+                TurnOneByOne(bodies, time);
+        }
+
+        /// <summary>Prepares those that are prepared for another time.</summary>
+        private void Prepare(in Group bodies, Lanes scaled, double time)
+        {
+            VectorLanes w = new VectorLanes(bodies, W);
+            Lanes energy = _i1 * w.X * w.X + w.Y * w.Y + _i3 * w.Z * w.Z, separation = _m1 * w.X * w.X - _m3 * w.Z * w.Z;
+            Lanes a1 = _i1 * w.X * w.X + _g1 * w.Y * w.Y, a3 = _i3 * w.Z * w.Z + _g3 * w.Y * w.Y, same = new Lanes(AsymmetricTop.SameInvariant);
+            Lanes held = bodies[Energy], heldSeparation = bodies[Separation];
+            held = Vector.ConditionalSelect(Vector.LessThanOrEqual(Vector.Abs(held - energy), same * energy), held, energy);
+            heldSeparation = Vector.ConditionalSelect(
+                Vector.LessThanOrEqual(Vector.Abs(heldSeparation - separation), same * (_g3 * a1 + _g1 * a3)), heldSeparation, separation);
+
+            Masks isOther = ~Vector.Equals(scaled, bodies[PreparedFor]);
+            Masks isTurning = isOther & Vector.GreaterThan(held, new Lanes(AsymmetricTop.Resting))
+                & Vector.GreaterThan(held * scaled * scaled, new Lanes(AsymmetricTop.NoTurn));
+            OrbitLanes orbit = default(OrbitLanes);
+            Lanes rate = Vector.Max(_shape.AlphaOfA3 * a3, _shape.BetaOfA1 * a1);
+            Masks isOneByOne = Masks.Zero;
+            if (!Vector.EqualsAll(isTurning, Masks.Zero))
+            {
+                // more than one turn is prepared for one by one, from what is there now
+                const double Longest = AsymmetricTop.LongestNearUnstable * AsymmetricTop.LongestNearUnstable;
+                orbit.Set(_shape, a1, a3, heldSeparation, scaled);
+                isOneByOne = Vector.LessThan(Vector.Abs(_shape.DeltaOfQ * heldSeparation), 0.01 * rate)
+                    & Vector.GreaterThan(rate * scaled * scaled, new Lanes(Longest));
+                isOneByOne = isTurning & (isOneByOne | orbit.IsIllConditioned);
+            }
+
+            Masks isShort = Vector.LessThanOrEqual(rate * orbit.S * orbit.S, new Lanes(AsymmetricTop.ShortSquared))
+                & Vector.GreaterThan(orbit.C1, Lanes.Zero) & Vector.GreaterThan(orbit.C3, Lanes.Zero), isHere = isOther & ~isOneByOne;
+            Set(ref bodies[Energy], isHere, held);
+            Set(ref bodies[Separation], isHere, heldSeparation);
+            Set(ref bodies[PreparedFor], isHere, scaled);
+            Set(ref bodies[Turns], isHere, Vector.ConditionalSelect(isTurning, Vector.ConditionalSelect(isShort, Lanes.One, -Lanes.One), Lanes.Zero));
+            Set(ref bodies[InverseEnergy], isHere, new Lanes(0.5) / held);
+            Set(ref bodies[S], isHere, orbit.S);
+            Set(ref bodies[C1], isHere, orbit.C1);
+            Set(ref bodies[C3], isHere, orbit.C3);
+            Set(ref bodies[V1], isHere, orbit.V1);
+            Set(ref bodies[V3], isHere, orbit.V3);
+            Set(ref bodies[C], isHere, orbit.C);
+            Set(ref bodies[Z], isHere, orbit.Z);
+            if (!Vector.EqualsAll(isOneByOne, Masks.Zero))
+                PrepareOneByOne(bodies, time);
+        }
+
+        private void PrepareOneByOne(in Group bodies, double time)
+        {
+            for (int i = 0; i < Lanes.Count; i++)
+            {
+                AsymmetricTop one = _one;
+                one.Carry(bodies.Row(i, isOut: false), isAll: true);
+                one.PrepareFor(time);
+                one.Carry(bodies.Row(i, isOut: true), isAll: true);
+            }
+        }
+
+        private void TurnOneByOne(in Group bodies, double time)
+        {
+            for (int i = 0; i < Lanes.Count; i++)
+            {
+                AsymmetricTop one = _one;
+                one.Carry(bodies.Row(i, isOut: false), isAll: true);
+                one.Advance(time);
+                one.Carry(bodies.Row(i, isOut: true), isAll: true);
+            }
+        }
+
+        [MethodImpl(Kernel.Compiled)]
+        private void TurnShort(in Group bodies) => Turn(bodies, areShort: true);
+
+        [MethodImpl(Kernel.Compiled)]
+        private void TurnAny(in Group bodies) => Turn(bodies, areShort: false);
+
+        /// <summary>One turn of each; where not all are short, some of those that are not may be at rest.</summary>
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        private void Turn(in Group bodies, bool areShort)
+        {
+            VectorLanes w = new VectorLanes(bodies, W), wLost = new VectorLanes(bodies, WLost);
+            Lanes w1 = w.X, w2 = w.Y, w3 = w.Z, o = bodies[S], v1 = bodies[V1], v3 = bodies[V3], k1o = _k1 * o;
+            Lanes k = _k1k3 * o * o * w2 * w2, inverse = Lanes.One / (Lanes.One - k);
+            Lanes d1 = (w1 * (k - v1) + k1o * bodies[C3] * w2 * w3) * inverse;
+            Lanes d2 = (w2 * (k - (v1 + v3 - v1 * v3)) + _k2 * o * w3 * w1) * inverse;
+            Lanes d3 = (w3 * (k - v3) + _k3 * o * bodies[C1] * w1 * w2) * inverse;
+            Lanes p1 = w1, p2 = w2, p3 = w3;
+            Masks isShort = default(Masks), isAtRest = default(Masks);
+            if (!areShort)
+            {
+                isShort = Vector.GreaterThan(bodies[Turns], Lanes.Zero);
+                isAtRest = Vector.Equals(bodies[Turns], Lanes.Zero);
+                Lanes oc1 = bodies[C1], oc3 = bodies[C3];
+                inverse = Lanes.One / (oc1 * oc1 - _k1k2 * o * o * w3 * w3);
+                p1 = Vector.ConditionalSelect(isShort, w1, (w1 * oc1 + k1o * oc3 * w2 * w3) * inverse);
+                p2 = Vector.ConditionalSelect(isShort, w2, (w2 * oc1 * oc3 + _k2 * o * w3 * w1) * inverse);
+                p3 = Vector.ConditionalSelect(isShort, w3, (w3 * oc3 + _k3 * o * oc1 * w1 * w2) * inverse);
+                d1 = Vector.ConditionalSelect(isShort, d1, p1 - w1);
+                d2 = Vector.ConditionalSelect(isShort, d2, p2 - w2);
+                d3 = Vector.ConditionalSelect(isShort, d3, p3 - w3);
+            }
+
+            Lanes half = new Lanes(0.5), two = new Lanes(2), inverseEnergy = bodies[InverseEnergy];
+            Lanes a = inverseEnergy * (_i1 * p1 * p1 + p2 * p2 + _i3 * p3 * p3) - half;
+            Lanes x1 = _m1 * p1 * p1, x3 = _m3 * p3 * p3, x = x1 - x3, lambda = two * inverseEnergy * x;
+            Lanes b = (x - two * a * x - bodies[Separation]) / (two * (_g3 * x1 + _g1 * x3) + new Lanes(AsymmetricTop.Tiny));
+            d1 -= p1 * (a + b * (_g3 - lambda));
+            d2 -= p2 * (a - b * lambda);
+            d3 -= p3 * (a - b * (_g1 + lambda));
+            Change(ref w, ref wLost, d1, d2, d3);
+
+            Lanes c = bodies[C], z = bodies[Z];
+            Lanes m1 = _i1 * w1, m2 = w2, m3 = _i3 * w3, c1 = _i1 * d1, c2 = d2, c3 = _i3 * d3;
+            Lanes s1 = two * m1 + c1, s2 = two * m2 + c2, s3 = two * m3 + c3;
+            Lanes r0 = half * c * (s1 * s1 + s2 * s2 + s3 * s3);
+            Lanes r1 = c * (c2 * m3 - c3 * m2) + z * s1;
+            Lanes r2 = c * (c3 * m1 - c1 * m3) + z * s2;
+            Lanes r3 = c * (c1 * m2 - c2 * m1) + z * s3;
+            Lanes vv = r1 * r1 + r2 * r2 + r3 * r3, n = Vector.SquareRoot(r0 * r0 + vv);
+            n = Vector.ConditionalSelect(Vector.LessThan(r0, Lanes.Zero), -n, n);
+            Lanes f = Lanes.One / (n * (n + r0)), v = f * (n + r0);
+            QuaternionLanes q = new QuaternionLanes(bodies, Q), qLost = new QuaternionLanes(bodies, QLost);
+            VectorLanes momentum = areShort ? default(VectorLanes) : q.Rotate(new VectorLanes(m1, m2, m3));
+            SmallTurn.Add(ref q, ref qLost, q * new QuaternionLanes(-vv * f, v * r1, v * r2, v * r3));
+            if (!areShort)
+            {
+                QuaternionLanes kept = q, keptLost = qLost;
+                VectorLanes now = q.Rotate(new VectorLanes(_i1 * w.X, w.Y, _i3 * w.Z));
+                VectorLanes back = half / VectorLanes.Dot(now, now) * VectorLanes.Cross(now, momentum);
+                SmallTurn.Add(ref kept, ref keptLost, new QuaternionLanes(Lanes.Zero, back) * q);
+                q = QuaternionLanes.Choose(isShort, q, kept);
+                qLost = QuaternionLanes.Choose(isShort, qLost, keptLost);
+                q = QuaternionLanes.Choose(isAtRest, new QuaternionLanes(bodies, Q), q);
+                qLost = QuaternionLanes.Choose(isAtRest, new QuaternionLanes(bodies, QLost), qLost);
+                w = VectorLanes.Choose(isAtRest, new VectorLanes(bodies, W), w);
+                wLost = VectorLanes.Choose(isAtRest, new VectorLanes(bodies, WLost), wLost);
+            }
+
+            w.Write(bodies, W);
+            wLost.Write(bodies, WLost);
+            q.Write(bodies, Q);
+            qLost.Write(bodies, QLost);
+        }
+
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        private static void Set(ref Lanes number, Masks where, Lanes value) => number = Vector.ConditionalSelect(where, value, number);
+
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        private static void Change(ref VectorLanes w, ref VectorLanes lost, Lanes d1, Lanes d2, Lanes d3)
+        {
+            SmallTurn.Add(ref w.X, ref lost.X, d1);
+            SmallTurn.Add(ref w.Y, ref lost.Y, d2);
+            SmallTurn.Add(ref w.Z, ref lost.Z, d3);
+        }
+
+        /// <summary>Where asked for, takes the damping into the angular velocity itself.</summary>
+        private static void Fold(in Group bodies, Masks where)
+        {
+            Lanes scale = bodies[Scale], one = Lanes.One;
+            Lanes left = Vector.ConditionalSelect(Vector.GreaterThan(bodies[Energy] * (scale * scale), new Lanes(AsymmetricTop.Resting)), scale, Lanes.Zero);
+            // times one changes nothing
+            left = Vector.ConditionalSelect(where, left, one);
+            (left * new VectorLanes(bodies, W)).Write(bodies, W);
+            (left * new VectorLanes(bodies, WLost)).Write(bodies, WLost);
+            bodies[Energy] *= left * left;
+            bodies[Separation] *= left * left;
+            bodies[Scale] = Vector.ConditionalSelect(where, Lanes.One, bodies[Scale]);
+            bodies[PreparedFor] = Vector.ConditionalSelect(where, new Lanes(double.NaN), bodies[PreparedFor]);
+        }
+    }
+}
+#endif

@@ -1,0 +1,236 @@
+#if NET
+using System;
+
+namespace RigidBodyDynamics
+{
+    /// <summary>
+    /// Many bodies that differ in their starts alone, stepped several at a time in the lanes of the processor and on
+    /// several threads. Each comes to the bits it would have alone in a <see cref="Simulation"/>.
+    /// </summary>
+    /// <remarks>
+    /// In lanes go <c>Exact</c>, <c>Exact4</c>, <c>Exact6</c> and <c>LabEuler</c> with pushes that read nothing but the time;
+    /// any other rule or push is computed body by body. Bodies that coast are computed when somebody looks. Once there is
+    /// room, nothing here allocates. Not to be called by two threads at the same time.
+    /// </remarks>
+    public sealed class Batch
+    {
+        // enough for a thread to be worth waking, few enough to stay in its cache
+        private const int BodiesOfPart = 1024;
+
+        private readonly BodyPlan _plan;
+        private readonly BodyDescription _like;
+        private readonly Crowd _crowd;
+        private readonly Coasters _coasters;
+        private readonly Places _places = new Places();
+        private readonly Team _team;
+        private readonly bool[] _coasts;
+        private Stepper[] _steppers = Array.Empty<Stepper>();
+        private int _stretch, _capacity = 16;
+        private Task _task;
+        private long _stop;
+        private Memory<BodyState> _states;
+
+        /// <summary>No bodies yet, of one kind.</summary>
+        /// <param name="body">What every body is, but for its start. Nothing that is changed in it later changes the batch.</param>
+        /// <param name="steps">How time is divided.</param>
+        /// <param name="mayLeaveOut">Whether bodies that coast may wait until somebody looks. What differs from body to body is not left out.</param>
+        public Batch(BodyDescription body, TimeSteps steps, Omissions mayLeaveOut = Omissions.Coasting)
+        {
+            Guard.NotNull(body, nameof(body));
+            Guard.NotNull(steps, nameof(steps));
+            _plan = new BodyPlan(body, steps, mayLeaveOut & Omissions.Coasting);
+            _like = _plan.Body;
+            _crowd = Crowds.Choose(_plan);
+            _coasters = new Coasters(_crowd, steps);
+            _team = new Team(Work);
+            _coasts = new bool[_plan.Stretches.Count];
+            Reserve(_capacity);
+            _like.Start = BodyState.AtRest;
+            _crowd.Start(0, _like);
+            for (int i = 0; i < _coasts.Length; i++)
+            {
+                StretchPlan stretch = _plan.Stretches[i];
+                bool isPushed = (stretch.Does & (PushTraits.Moves | PushTraits.Turns)) != 0;
+                _coasts[i] = _plan.MayCoast && !isPushed && _crowd.HasClosedForm(0, stretch.Coasting);
+            }
+
+            Reserve(_capacity);
+            Threads = Environment.ProcessorCount;
+            Begin();
+        }
+
+        /// <summary>How many bodies there are.</summary>
+        public int Count => _places.Count;
+
+        /// <summary>Every body's number is below this.</summary>
+        public int EndOfIds => _places.EndOfIds;
+
+        /// <summary>How many steps are done.</summary>
+        public long StepsDone { get; private set; }
+
+        /// <summary>Time since the start, s.</summary>
+        public double Time => _plan.Steps.StartOf(StepsDone);
+
+        /// <summary>How many threads may step at a time, at least 1; the result is the same for any number.</summary>
+        public int Threads
+        {
+            get => _team.Threads;
+            set
+            {
+                if (value < 1)
+                    throw Guard.Refused(nameof(Threads), value, "must be at least 1");
+
+                int old = _steppers.Length;
+                Array.Resize(ref _steppers, Math.Max(old, value));
+                for (int i = old; i < value; i++)
+                    _steppers[i] = _crowd.NewStepper(_plan);
+
+                _team.Threads = value;
+            }
+        }
+
+        /// <summary>Where a body is and how it moves now.</summary>
+        /// <param name="id">The number that <see cref="Add"/> gave it.</param>
+        public BodyState this[int id]
+        {
+            get
+            {
+                int place = _places.Of(id);
+                Follow(place);
+                return _crowd.StateOf(place);
+            }
+        }
+
+        /// <summary>Adds a body that starts now. Its number is its own until it is removed, and may then be another's.</summary>
+        public int Add(in BodyState start)
+        {
+            _like.Start = start;
+            _like.Check();
+            int place = Count;
+            if (place == _capacity)
+                Reserve(2 * _capacity);
+
+            if (place % _crowd.Width != 0)
+                Follow(place);
+
+            _crowd.Start(place, _like);
+            if (_coasts[_stretch])
+                _coasters.Enter(place, place + 1, StepsDone);
+
+            return _places.Add();
+        }
+
+        /// <summary>Removes a body.</summary>
+        /// <param name="id">The number that <see cref="Add"/> gave it.</param>
+        public void Remove(int id)
+        {
+            int place = _places.Of(id), last = Count - 1;
+            Follow(place);
+            Follow(last);
+            _crowd.Move(last, place);
+            _coasters.Move(last, place, StepsDone);
+
+            _places.Remove(id);
+        }
+
+        /// <summary>Writes the state of every body to where its number says; what no body has for its number stays as it is.</summary>
+        /// <param name="states">At least <see cref="EndOfIds"/> of them.</param>
+        public void Read(Memory<BodyState> states)
+        {
+            if (states.Length < EndOfIds)
+                throw Guard.Refused(nameof(states), states.Length, "must have room for " + EndOfIds + " states");
+
+            _states = states;
+            Do(Task.Read, StepsDone);
+            _states = default(Memory<BodyState>);
+        }
+
+        /// <summary>A number of steps of all bodies; the same bits as that many single ones.</summary>
+        /// <remarks>An exception out of an effect comes out here; the bodies are then not all at the same step.</remarks>
+        public void Step(long count = 1)
+        {
+            long left = _plan.Steps.Count - StepsDone;
+            if (count < 0 || count > left)
+                throw Guard.Refused(nameof(count), count, "must be from 0 to the " + left + " steps that are left");
+
+            for (long end = StepsDone + count; StepsDone < end;)
+            {
+                long endOfStretch = _plan.Stretches[_stretch].End, stop = Math.Min(end, endOfStretch);
+                if (!_coasts[_stretch])
+                    Do(Task.Step, stop);
+                else if (stop == endOfStretch)
+                    Do(Task.Follow, stop);
+
+                StepsDone = stop;
+                if (stop == endOfStretch && _stretch + 1 < _coasts.Length)
+                {
+                    _stretch++;
+                    Begin();
+                }
+            }
+        }
+
+        private void Begin()
+        {
+            _crowd.Forget();
+            if (!_coasts[_stretch])
+                return;
+
+            _coasters.Begin(_stretch, _plan.Stretches[_stretch].Coasting);
+            Do(Task.Enter, StepsDone);
+        }
+
+        private void Reserve(int capacity)
+        {
+            _crowd.Reserve(capacity, Array.IndexOf(_coasts, true) >= 0);
+            _coasters.Reserve(capacity);
+            _places.Reserve(capacity);
+            _capacity = capacity;
+        }
+
+        /// <summary>Brings the body in a place, and those that are stepped with it, to now.</summary>
+        private void Follow(int place)
+        {
+            if (!_coasts[_stretch])
+                return;
+
+            int first = place - place % _crowd.Width;
+            _coasters.Follow(_steppers[0], first, first + _crowd.Width, StepsDone);
+        }
+
+        private void Do(Task task, long stop)
+        {
+            _task = task;
+            _stop = stop;
+            _team.Do((Count + BodiesOfPart - 1) / BodiesOfPart);
+        }
+
+        private void Work(int thread, int part)
+        {
+            int from = part * BodiesOfPart, to = Math.Min(Count, from + BodiesOfPart);
+            int whole = (to + _crowd.Width - 1) / _crowd.Width * _crowd.Width;
+            if (_task == Task.Step)
+                _steppers[thread].Run(_stretch, from, whole, StepsDone, _stop);
+            else if (_task == Task.Enter)
+                _coasters.Enter(from, to, _stop);
+            else if (_coasts[_stretch])
+                _coasters.Follow(_steppers[thread], from, whole, _stop);
+
+            if (_task != Task.Read)
+                return;
+
+            Span<BodyState> states = _states.Span;
+            for (int i = from; i < to; i++)
+                states[_places.IdAt(i)] = _crowd.StateOf(i);
+        }
+
+        private enum Task
+        {
+            Step,
+            Enter,
+            Follow,
+            Read,
+        }
+    }
+}
+#endif

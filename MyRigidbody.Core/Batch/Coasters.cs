@@ -1,0 +1,149 @@
+#if NET
+using System;
+
+namespace RigidBodyDynamics
+{
+    /// <summary>
+    /// Bodies that are not stepped while nobody looks: when each began to coast, and how far it has been followed. The
+    /// bits are those of a <see cref="Simulation"/>, which goes by the same rule (<see cref="Stretch{TIntegrator}"/>).
+    /// </summary>
+    internal sealed class Coasters
+    {
+        // bodies that have no closed form are stepped all the way; places where no body is hold nobody up
+        private const long Never = long.MaxValue, Nobody = -1;
+
+        private readonly Crowd _crowd;
+        private readonly TimeSteps _steps;
+        private readonly int _width;
+        // of each body; of each group of neighbours that are stepped together
+        private long[] _anchored = Array.Empty<long>(), _at = Array.Empty<long>(), _next = Array.Empty<long>();
+        private Coasting _coasting;
+        private int _stretch;
+
+        public Coasters(Crowd crowd, TimeSteps steps)
+        {
+            _crowd = crowd;
+            _steps = steps;
+            _width = crowd.Width;
+        }
+
+        public void Reserve(int capacity)
+        {
+            int old = _anchored.Length;
+            Array.Resize(ref _anchored, capacity);
+            Array.Resize(ref _at, capacity / _width);
+            Array.Resize(ref _next, capacity / _width);
+            Array.Fill(_anchored, Nobody, old, capacity - old);
+        }
+
+        /// <summary>Another stretch in which the bodies coast.</summary>
+        public void Begin(int stretch, in Coasting coasting)
+        {
+            _stretch = stretch;
+            _coasting = coasting;
+        }
+
+        /// <summary>Lets bodies coast from a step on. Those with whom they share a group have been followed to it.</summary>
+        public void Enter(int from, int to, long step)
+        {
+            _crowd.Keep(from, to);
+            for (int i = from; i < to; i++)
+                _anchored[i] = _crowd.HasClosedForm(i, _coasting) ? step : Never;
+
+            for (int group = from / _width; group <= (to - 1) / _width; group++)
+                Settle(group, step);
+        }
+
+        /// <summary>A body goes from one place to another; both groups have been followed to the step.</summary>
+        public void Move(int from, int to, long step)
+        {
+            _anchored[to] = _anchored[from];
+            _anchored[from] = Nobody;
+            Settle(to / _width, step);
+            Settle(from / _width, step);
+        }
+
+        /// <summary>Follows bodies, in whole groups, to a step.</summary>
+        public void Follow(Stepper stepper, int from, int to, long step)
+        {
+            for (int group = from / _width; group < to / _width; group++)
+            {
+                if (_next[group] <= step)
+                    Leap(stepper, group, step);
+            }
+
+            for (int group = from / _width; group < to / _width;)
+            {
+                // neighbours that have come as far go on together
+                long at = _at[group];
+                int first = group;
+                for (; group < to / _width && _at[group] == at; group++)
+                    _at[group] = step;
+
+                stepper.Run(_stretch, first * _width, group * _width, at, step);
+            }
+        }
+
+        /// <summary>Takes a group past the closed forms that are due. Where all are due at once, that is as far as it goes.</summary>
+        private void Leap(Stepper stepper, int group, long step)
+        {
+            int from = group * _width, to = from + _width;
+            long anchored = _anchored[from], at = _at[group];
+            bool isOne = anchored != Never;
+            for (int i = from; i < to; i++)
+                isOne &= _anchored[i] == anchored || _anchored[i] == Nobody;
+
+            if (isOne)
+            {
+                long form = LastForm(anchored, at, step);
+                _crowd.Leap(from, to, _steps.StartOf(form) - _steps.StartOf(anchored), _coasting);
+                Settle(group, form);
+                return;
+            }
+
+            // step by step from where the first of them is needed; the others come in where they are
+            long now = step;
+            for (int i = from; i < to; i++)
+                now = _anchored[i] == Nobody ? now : Math.Min(now, LastForm(_anchored[i], at, step));
+
+            while (true)
+            {
+                long next = step;
+                for (int i = from; i < to; i++)
+                {
+                    long form = LastForm(_anchored[i], at, step);
+                    if (form == now && form > at)
+                        _crowd.Leap(i, i + 1, _steps.StartOf(form) - _steps.StartOf(_anchored[i]), _coasting);
+                    else if (form > now)
+                        next = Math.Min(next, form);
+                }
+
+                if (now == step)
+                    break;
+
+                stepper.Run(_stretch, from, to, now, next);
+                now = next;
+            }
+
+            Settle(group, step);
+        }
+
+        /// <summary>The last closed form up to a step, or where the body is, if that is later.</summary>
+        private static long LastForm(long anchored, long at, long step) =>
+            anchored == Never || anchored == Nobody
+                ? at
+                : Math.Max(at, anchored + (step - anchored) / Coasting.StepsBetweenClosedForms * Coasting.StepsBetweenClosedForms);
+
+        private void Settle(int group, long step)
+        {
+            _at[group] = step;
+            _next[group] = Never;
+            for (int i = group * _width; i < (group + 1) * _width; i++)
+            {
+                if (_anchored[i] != Never && _anchored[i] != Nobody)
+                    _next[group] = Math.Min(_next[group], LastForm(_anchored[i], _anchored[i], step) + Coasting.StepsBetweenClosedForms);
+            }
+        }
+    }
+}
+#endif

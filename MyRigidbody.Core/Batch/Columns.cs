@@ -1,0 +1,129 @@
+#if NET
+using System;
+using System.Numerics;
+using System.Runtime.CompilerServices;
+using System.Runtime.InteropServices;
+using Lanes = System.Numerics.Vector<double>;
+
+namespace RigidBodyDynamics
+{
+    /// <summary>
+    /// The numbers of many bodies, a column for each kind of number and a row for each body, so that the same number of
+    /// neighbouring bodies is one vector. The rows up to a multiple of the vector's width are there, lived in or not.
+    /// </summary>
+    internal sealed class Columns
+    {
+        // columns that start at the same address modulo 4096 would push one another out of the cache
+        private const int Apart = 12;
+
+        private double[] _numbers = Array.Empty<double>();
+        private int _stride;
+
+        public Columns(int count) => Count = count;
+
+        /// <summary>How many columns there are.</summary>
+        public int Count { get; }
+
+        /// <summary>How many rows there are.</summary>
+        public int Rows { get; private set; }
+
+        /// <summary>As many neighbours as a vector has lanes, from a row on that is a multiple of them.</summary>
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        public Group At(int row) => new Group(_numbers.AsSpan(row, (Count - 1) * _stride + Lanes.Count), _stride);
+
+        /// <summary>The numbers of one body, to be carried into its struct or out of it.</summary>
+        public Row Row(int row, bool isOut) => new Row(_numbers.AsSpan(row), _stride, isOut);
+
+        /// <summary>Makes room for a power of two of rows, at least <see cref="Vector{T}.Count"/>.</summary>
+        public void Reserve(int rows)
+        {
+            int stride = rows + Apart;
+            double[] numbers = new double[checked(Count * stride)];
+            for (int i = 0; i < Count; i++)
+                Array.Copy(_numbers, i * _stride, numbers, i * stride, Rows);
+
+            _numbers = numbers;
+            Rows = rows;
+            _stride = stride;
+        }
+
+        /// <summary>Copies rows to another with the same columns.</summary>
+        public void CopyTo(Columns other, int from, int to)
+        {
+            for (int i = 0; i < Count; i++)
+                Array.Copy(_numbers, i * _stride + from, other._numbers, i * other._stride + from, to - from);
+        }
+
+        /// <summary>Copies one row over another.</summary>
+        public void Move(int from, int to)
+        {
+            for (int i = 0; i < Count; i++)
+                _numbers[i * _stride + to] = _numbers[i * _stride + from];
+        }
+    }
+
+    /// <summary>The numbers of neighbours that are computed together: of each column one vector.</summary>
+    internal readonly ref struct Group
+    {
+        private readonly Span<double> _numbers;
+        private readonly int _stride;
+
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        public Group(Span<double> numbers, int stride)
+        {
+            _numbers = numbers;
+            _stride = stride;
+        }
+
+        /// <summary>One of the neighbours.</summary>
+        public Row Row(int lane, bool isOut) => new Row(_numbers.Slice(lane), _stride, isOut);
+
+        /// <summary>A number of each; the column is not checked, because that would cost as much as the arithmetic.</summary>
+        public ref Lanes this[int column]
+        {
+            [MethodImpl(MethodImplOptions.AggressiveInlining)]
+            get => ref Unsafe.As<double, Lanes>(ref Unsafe.Add(ref MemoryMarshal.GetReference(_numbers), column * _stride));
+        }
+    }
+
+    /// <summary>The numbers of one body, to be carried from its row into its struct or out of there.</summary>
+    internal readonly ref struct Row
+    {
+        private readonly Span<double> _numbers;
+        private readonly int _stride;
+        private readonly bool _isOut;
+
+        public Row(Span<double> numbers, int stride, bool isOut)
+        {
+            _numbers = numbers;
+            _stride = stride;
+            _isOut = isOut;
+        }
+
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        public void Carry(int column, ref double number)
+        {
+            ref double here = ref _numbers[column * _stride];
+            if (_isOut)
+                here = number;
+            else
+                number = here;
+        }
+
+        public void Carry(int column, ref Vector3d v)
+        {
+            Carry(column, ref v.X);
+            Carry(column + 1, ref v.Y);
+            Carry(column + 2, ref v.Z);
+        }
+
+        public void Carry(int column, ref Quaterniond q)
+        {
+            Carry(column, ref q.W);
+            Carry(column + 1, ref q.X);
+            Carry(column + 2, ref q.Y);
+            Carry(column + 3, ref q.Z);
+        }
+    }
+}
+#endif

@@ -1,0 +1,227 @@
+#if NET
+using System;
+using System.Runtime.CompilerServices;
+using Lanes = System.Numerics.Vector<double>;
+
+namespace RigidBodyDynamics
+{
+    /// <summary>
+    /// <see cref="Composition{TTop, TScheme}"/> for several bodies at once, with pushes that read nothing but the time:
+    /// what they give is the same for all.
+    /// </summary>
+    internal struct CompositionLanes<TTop, TScheme> : ILaneRule
+        where TTop : struct, ITopLanes
+        where TScheme : struct, IScheme
+    {
+        private const int X = CompositionLanes.X, V = CompositionLanes.V;
+
+        private TTop _top;
+        private MassProperties _mass;
+        private bool _canMove, _decaysPerStep;
+        private double _dt;
+        private Coasting _coasting;
+        private Decay _perStep;
+        private Drift _whole;
+        private int _from, _to;
+
+        public CompositionLanes(Columns bodies) : this() => Bodies = bodies;
+
+        public Columns Bodies { get; }
+
+        public BodyState State => throw new NotSupportedException();
+
+        public bool IsAsleep => false;
+
+        public bool IsFinite => true;
+
+        public bool HasClosedForm => false;
+
+        public void Start(BodyDescription body)
+        {
+            _mass = body.Mass;
+            _canMove = body.CanMove;
+            _top = default(TTop);
+            _top.Start(body.Mass);
+        }
+
+        public void Select(int from, int to)
+        {
+            _from = from;
+            _to = to;
+        }
+
+        public void Prepare(double duration, in Coasting coasting)
+        {
+            _dt = duration;
+            _coasting = coasting;
+            _whole = new Drift(coasting, duration);
+            _perStep = Decay.To(coasting.AngularFactorPerStep);
+            _decaysPerStep = coasting.LinearFactorPerStep != 1 || coasting.AngularFactorPerStep != 1;
+        }
+
+        public void Step<TPush>(in Instant now, ref TPush push) where TPush : struct, IPush
+        {
+            PushTraits does = push.Traits & (PushTraits.Moves | PushTraits.Turns);
+            if (does == 0)
+            {
+                Coast();
+                return;
+            }
+
+            TScheme scheme = default(TScheme);
+            double[] kicks = scheme.Kicks, drifts = scheme.Drifts;
+            Span<Impulse> impulses = stackalloc Impulse[kicks.Length];
+            Span<Stage> stages = stackalloc Stage[drifts.Length];
+            Instant at = new Instant(now.Step, now.Time, scheme.HoldsTime);
+            for (int i = 0; i < kicks.Length; i++)
+            {
+                double kick = kicks[i] * _dt, length = i < drifts.Length ? drifts[i] * _dt : 0;
+                BodyState unread = default(BodyState);
+                Wrench given = default(Wrench);
+                push.Over(at, kick, unread, _mass, ref given);
+                impulses[i] = new Impulse(_canMove ? does : does & ~PushTraits.Moves, given, _mass.InverseMass, _top.FromBody(given.BodyTorque));
+                if (i < drifts.Length)
+                    stages[i] = new Stage(length, length == _dt ? _whole : new Drift(_coasting, length));
+
+                at = at.Later(scheme.HoldsTime ? length : kick);
+            }
+
+            Compose(impulses, stages);
+        }
+
+        [MethodImpl(Kernel.Compiled)]
+        private void Coast()
+        {
+            for (int i = _from; i < _to; i += Lanes.Count)
+            {
+                Group bodies = Bodies.At(i);
+                Advance(bodies, _dt, _whole);
+                if (_decaysPerStep)
+                    Decelerate(bodies);
+            }
+        }
+
+        [MethodImpl(Kernel.Compiled)]
+        private void Compose(ReadOnlySpan<Impulse> impulses, ReadOnlySpan<Stage> stages)
+        {
+            for (int i = _from; i < _to; i += Lanes.Count)
+            {
+                Group bodies = Bodies.At(i);
+                for (int k = 0; k < stages.Length; k++)
+                {
+                    Kick(bodies, impulses[k]);
+                    Advance(bodies, stages[k].Length, stages[k].Drift);
+                }
+
+                Kick(bodies, impulses[stages.Length]);
+                if (_decaysPerStep)
+                    Decelerate(bodies);
+            }
+        }
+
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        private void Advance(in Group bodies, double length, in Drift drift)
+        {
+            if (drift.IsFree)
+            {
+                VectorLanes free = new VectorLanes(bodies, X) + length * new VectorLanes(bodies, V);
+                free.Write(bodies, X);
+                _top.Advance(bodies, length);
+                return;
+            }
+
+            if (_canMove)
+            {
+                VectorLanes x = new VectorLanes(bodies, X), v = new VectorLanes(bodies, V);
+                drift.Move(ref x, ref v);
+                x.Write(bodies, X);
+                v.Write(bodies, V);
+            }
+
+            _top.Advance(bodies, drift.TurningTime);
+            _top.Damp(bodies, drift.AngularDecay);
+        }
+
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        private void Kick(in Group bodies, in Impulse impulse)
+        {
+            if ((impulse.Does & PushTraits.Moves) != 0)
+                (new VectorLanes(bodies, V) + new VectorLanes(impulse.Velocity)).Write(bodies, V);
+
+            if ((impulse.Does & PushTraits.Turns) != 0)
+                _top.Kick(bodies, impulse);
+        }
+
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        private void Decelerate(in Group bodies)
+        {
+            Decay.By(_coasting.LinearFactorPerStep, new VectorLanes(bodies, V)).Write(bodies, V);
+            _top.Damp(bodies, _perStep);
+        }
+    }
+
+    /// <summary>The columns that every body of such a crowd has, whatever its top; those of the top follow.</summary>
+    internal static class CompositionLanes
+    {
+        public const int X = 0, V = 3, Columns = 6;
+    }
+
+    internal partial struct Composition<TTop, TScheme> : IRuleInLanes
+    {
+        public Crowd InLanes(BodyDescription body) => default(TTop) is IHasLanes top ? top.InLanes<TScheme>(body) : null;
+
+        /// <summary>A crowd of bodies with a kind of top that has a form for several at once.</summary>
+        internal sealed class InColumns<TCarried, TLanes> : LaneCrowd<Composition<TCarried, TScheme>, CompositionLanes<TLanes, TScheme>>
+            where TCarried : struct, IFreeTop, IHasLanes
+            where TLanes : struct, ITopLanes
+        {
+            public InColumns(BodyDescription body)
+                : base(body, new CompositionLanes<TLanes, TScheme>(new Columns(default(TLanes).Columns))) { }
+
+            protected override void Carry(ref Composition<TCarried, TScheme> body, Row row, bool isAll)
+            {
+                row.Carry(CompositionLanes.X, ref body._x);
+                row.Carry(CompositionLanes.V, ref body._v);
+                body._top.Carry(row, isAll);
+            }
+        }
+    }
+
+    /// <summary>A length of free motion, s, and its flow.</summary>
+    internal readonly struct Stage
+    {
+        public readonly double Length;
+        public readonly Drift Drift;
+
+        public Stage(double length, in Drift drift)
+        {
+            Length = length;
+            Drift = drift;
+        }
+    }
+
+    /// <summary>What pushes give to every body alike.</summary>
+    internal readonly struct Impulse
+    {
+        public readonly PushTraits Does;
+
+        /// <summary>The change of the velocity, m/s.</summary>
+        public readonly Vector3d Velocity;
+
+        /// <summary>Angular momentum in world axes and in body axes, N m s, the latter in the order of the top's own axes.</summary>
+        public readonly Vector3d World, Body;
+
+        public readonly bool HasWorld, HasBody;
+
+        public Impulse(PushTraits does, in Wrench given, double inverseMass, Vector3d inOwnAxes)
+        {
+            Does = does;
+            Velocity = inverseMass * given.Force;
+            World = given.Torque;
+            HasWorld = !given.Torque.IsZero;
+            HasBody = !given.BodyTorque.IsZero;
+            Body = HasBody ? inOwnAxes : given.BodyTorque;
+        }
+    }
+}
+#endif

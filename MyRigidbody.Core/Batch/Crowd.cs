@@ -1,0 +1,80 @@
+#if NET
+namespace RigidBodyDynamics
+{
+    /// <summary>Bodies side by side that differ in their states alone, each in a place; and how they are stored.</summary>
+    internal abstract class Crowd
+    {
+        /// <summary>So many neighbours are stepped together; what is stepped begins and ends at a multiple of this.</summary>
+        public abstract int Width { get; }
+
+        /// <summary>Makes room for a number of bodies, a power of two, and for what is kept of them.</summary>
+        public abstract void Reserve(int capacity, bool isKept);
+
+        /// <summary>Puts a body in a place.</summary>
+        public abstract void Start(int place, BodyDescription body);
+
+        /// <summary>Takes a body, with what is kept of it, to another place.</summary>
+        public abstract void Move(int from, int to);
+
+        public abstract BodyState StateOf(int place);
+
+        /// <summary>Another stretch begins: nothing is prepared for it.</summary>
+        public abstract void Forget();
+
+        /// <summary>True if, in a stretch that does not push, the body's rule knows where it will be at any time.</summary>
+        public abstract bool HasClosedForm(int place, in Coasting coasting);
+
+        /// <summary>Keeps the states as they are now.</summary>
+        public abstract void Keep(int from, int to);
+
+        /// <summary>Makes of the states that were kept those a time (s) later, each in one step.</summary>
+        public abstract void Leap(int from, int to, double time, in Coasting coasting);
+
+        /// <summary>What one thread needs to step parts of the crowd.</summary>
+        public abstract Stepper NewStepper(BodyPlan plan);
+    }
+
+    /// <summary>Steps parts of a crowd, one part at a time.</summary>
+    internal abstract class Stepper
+    {
+        /// <summary>Takes the bodies in some places from one step to another of the same stretch.</summary>
+        public abstract void Run(int stretch, int from, int to, long first, long end);
+    }
+
+    /// <summary>
+    /// A rule for many bodies is a rule whose body is many: so a stretch binds its pushes to it as it does to any rule.
+    /// </summary>
+    internal interface ICrowdRule : IIntegrator
+    {
+        /// <summary>Which bodies the next steps are for.</summary>
+        void Select(int from, int to);
+    }
+
+    /// <summary>Stretches of a plan, bound to a rule for many bodies.</summary>
+    internal sealed class Stepper<TRule> : Stepper where TRule : struct, ICrowdRule
+    {
+        private readonly TimeSteps _steps;
+        private readonly Stretch<TRule>[] _stretches;
+        private readonly TRule[] _rules;
+
+        public Stepper(BodyPlan plan, TRule rule)
+        {
+            _steps = plan.Steps;
+            _stretches = StretchBuilder<TRule>.Bind(plan, isWatched: false);
+            // what a rule prepares holds for one stretch
+            _rules = new TRule[_stretches.Length];
+            for (int i = 0; i < _rules.Length; i++)
+            {
+                _rules[i] = rule;
+                _rules[i].Start(plan.Body);
+            }
+        }
+
+        public override void Run(int stretch, int from, int to, long first, long end)
+        {
+            _rules[stretch].Select(from, to);
+            _stretches[stretch].Run(ref _rules[stretch], _steps, first, end);
+        }
+    }
+}
+#endif

@@ -1,0 +1,80 @@
+#if NET
+using System;
+using System.Runtime.CompilerServices;
+using Lanes = System.Numerics.Vector<double>;
+using Masks = System.Numerics.Vector<long>;
+using Vector = System.Numerics.Vector;
+
+namespace RigidBodyDynamics
+{
+    internal readonly partial struct Decay
+    {
+        /// <summary>What is left of a number of each body.</summary>
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        public Lanes Of(Lanes x)
+        {
+            Lanes left = Math.Abs(_lost) < 0.5 ? x - new Lanes(_lost) * x : new Lanes(_left) * x;
+            return IsNone ? left : Rest(left);
+        }
+
+        /// <summary>What is left of a vector of each body.</summary>
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        public VectorLanes Of(VectorLanes v) => new VectorLanes(Of(v.X), Of(v.Y), Of(v.Z));
+
+        /// <summary>What is left of a vector of each body by a factor alone.</summary>
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        public static VectorLanes By(double factor, VectorLanes v)
+        {
+            VectorLanes left = factor * v;
+            return factor == 1 ? left : new VectorLanes(Rest(left.X), Rest(left.Y), Rest(left.Z));
+        }
+
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        private static Lanes Rest(Lanes x) => Vector.ConditionalSelect(Vector.LessThan(Vector.Abs(x), new Lanes(Least)), 0 * x, x);
+    }
+
+    internal readonly partial struct Drift
+    {
+        /// <summary>Moves the centres of mass of several bodies.</summary>
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        public void Move(ref VectorLanes x, ref VectorLanes v)
+        {
+            x += _s * v + new VectorLanes(_fall);
+            v = _decay.Of(v) + new VectorLanes(_gain);
+        }
+    }
+
+    internal static partial class SmallTurn
+    {
+        /// <summary>r − 1 for several bodies at once.</summary>
+        public static QuaternionLanes Of(VectorLanes axis, Lanes length, double time)
+        {
+            Elementary.SinCosOf(0.25 * length * time, out Lanes sin, out Lanes cos);
+            VectorLanes turn = 2 * sin * cos / length * axis;
+            Lanes w = -2 * sin * sin, zero = Lanes.Zero;
+            Masks isNone = Vector.Equals(length, zero);
+            return QuaternionLanes.Choose(isNone, new QuaternionLanes(zero, zero, zero, zero), new QuaternionLanes(w, turn));
+        }
+
+        /// <summary>The same for several bodies.</summary>
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        public static void Add(ref QuaternionLanes q, ref QuaternionLanes lost, QuaternionLanes d)
+        {
+            Lanes stretch = new Lanes(0.5) * (Lanes.One - q.LengthSquared);
+            Add(ref q.W, ref lost.W, d.W + stretch * (q.W + d.W));
+            Add(ref q.X, ref lost.X, d.X + stretch * (q.X + d.X));
+            Add(ref q.Y, ref lost.Y, d.Y + stretch * (q.Y + d.Y));
+            Add(ref q.Z, ref lost.Z, d.Z + stretch * (q.Z + d.Z));
+        }
+
+        /// <summary>A sum that keeps what it rounds away.</summary>
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        public static void Add(ref Lanes sum, ref Lanes lost, Lanes add)
+        {
+            Lanes all = add + lost, next = sum + all;
+            lost = all - (next - sum);
+            sum = next;
+        }
+    }
+}
+#endif

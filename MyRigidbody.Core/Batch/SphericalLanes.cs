@@ -1,0 +1,79 @@
+#if NET
+using System.Runtime.CompilerServices;
+using Lanes = System.Numerics.Vector<double>;
+using Vector = System.Numerics.Vector;
+
+namespace RigidBodyDynamics
+{
+    internal partial struct SphericalTop : IHasLanes
+    {
+        public Crowd InLanes<TScheme>(BodyDescription body) where TScheme : struct, IScheme =>
+            new Composition<SphericalTop, TScheme>.InColumns<SphericalTop, SphericalLanes>(body);
+
+        public void Carry(Row row, bool isAll)
+        {
+            row.Carry(SphericalLanes.Q, ref _q);
+            row.Carry(SphericalLanes.W, ref _w);
+            if (!isAll)
+                return;
+
+            row.Carry(SphericalLanes.QLost, ref _qLost);
+            row.Carry(SphericalLanes.Turn, ref _turn);
+            row.Carry(SphericalLanes.PreparedFor, ref _preparedFor);
+        }
+    }
+
+    /// <summary>The step of <see cref="SphericalTop"/> for several bodies at once: its operations in its order.</summary>
+    internal struct SphericalLanes : ITopLanes
+    {
+        public const int Q = CompositionLanes.Columns, QLost = Q + 4, Turn = QLost + 4, W = Turn + 4, PreparedFor = W + 3;
+
+        private double _inverseMoment;
+
+        public int Columns => PreparedFor + 1;
+
+        public void Start(MassProperties mass) => _inverseMoment = mass.InversePrincipalMoments.X;
+
+        public Vector3d FromBody(Vector3d v) => v;
+
+        public void Kick(in Group bodies, in Impulse impulse)
+        {
+            VectorLanes change = new VectorLanes(impulse.World);
+            if (impulse.HasBody)
+                change += new QuaternionLanes(bodies, Q).Rotate(new VectorLanes(impulse.Body));
+
+            (new VectorLanes(bodies, W) + _inverseMoment * change).Write(bodies, W);
+            bodies[PreparedFor] = new Lanes(double.NaN);
+        }
+
+        public void Damp(in Group bodies, in Decay decay)
+        {
+            if (decay.IsNone)
+                return;
+
+            decay.Of(new VectorLanes(bodies, W)).Write(bodies, W);
+            bodies[PreparedFor] = new Lanes(double.NaN);
+        }
+
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        public void Advance(in Group bodies, double time)
+        {
+            if (!Vector.EqualsAll(new Lanes(time), bodies[PreparedFor]))
+                Prepare(bodies, time);
+
+            QuaternionLanes q = new QuaternionLanes(bodies, Q), lost = new QuaternionLanes(bodies, QLost);
+            SmallTurn.Add(ref q, ref lost, new QuaternionLanes(bodies, Turn) * q);
+            q.Write(bodies, Q);
+            lost.Write(bodies, QLost);
+        }
+
+        /// <summary>For all of them: the turn of one that is prepared already comes out as it is.</summary>
+        private static void Prepare(in Group bodies, double time)
+        {
+            VectorLanes w = new VectorLanes(bodies, W);
+            SmallTurn.Of(w, Vector.SquareRoot(VectorLanes.Dot(w, w)), time).Write(bodies, Turn);
+            bodies[PreparedFor] = new Lanes(time);
+        }
+    }
+}
+#endif

@@ -1,0 +1,115 @@
+#if NET
+using System;
+
+namespace RigidBodyDynamics
+{
+    /// <summary>A crowd for any rule and any push: an array of the rule's own structs.</summary>
+    internal sealed class StructCrowd<TIntegrator> : Crowd where TIntegrator : struct, IIntegrator
+    {
+        private TIntegrator[] _now = Array.Empty<TIntegrator>(), _kept = Array.Empty<TIntegrator>();
+        private double[] _preparedFor = Array.Empty<double>();
+
+        public override int Width => 1;
+
+        public override void Reserve(int capacity, bool isKept)
+        {
+            Array.Resize(ref _now, capacity);
+            Array.Resize(ref _kept, isKept ? capacity : 0);
+            Array.Resize(ref _preparedFor, capacity);
+        }
+
+        public override void Start(int place, BodyDescription body)
+        {
+            _now[place] = default(TIntegrator);
+            _now[place].Start(body);
+            _preparedFor[place] = 0;
+        }
+
+        public override void Move(int from, int to)
+        {
+            _now[to] = _now[from];
+            if (_kept.Length > 0)
+                _kept[to] = _kept[from];
+
+            _preparedFor[to] = _preparedFor[from];
+        }
+
+        public override BodyState StateOf(int place) => _now[place].State;
+
+        public override void Forget() => Array.Clear(_preparedFor, 0, _preparedFor.Length);
+
+        public override bool HasClosedForm(int place, in Coasting coasting)
+        {
+            // which steps it is prepared for does not matter
+            TIntegrator body = _now[place];
+            body.Prepare(1, coasting);
+            return body.HasClosedForm;
+        }
+
+        public override void Keep(int from, int to) => Array.Copy(_now, from, _kept, from, to - from);
+
+        public override void Leap(int from, int to, double time, in Coasting coasting)
+        {
+            Nothing nothing = default(Nothing);
+            for (int i = from; i < to; i++)
+            {
+                _now[i] = _kept[i];
+                _now[i].Prepare(time, coasting);
+                _now[i].Step(new Instant(0, 0), ref nothing);
+                _preparedFor[i] = 0;
+            }
+        }
+
+        public override Stepper NewStepper(BodyPlan plan) => new Stepper<EachInTurn>(plan, new EachInTurn(this));
+
+        /// <summary>The same step for one body after another.</summary>
+        private struct EachInTurn : ICrowdRule
+        {
+            private readonly StructCrowd<TIntegrator> _crowd;
+            private int _from, _to;
+            private double _duration;
+            private Coasting _coasting;
+
+            public EachInTurn(StructCrowd<TIntegrator> crowd) : this() => _crowd = crowd;
+
+            public BodyState State => throw new NotSupportedException();
+
+            public bool IsAsleep => false;
+
+            public bool IsFinite => true;
+
+            public bool HasClosedForm => false;
+
+            public void Start(BodyDescription body) { }
+
+            public void Select(int from, int to)
+            {
+                _from = from;
+                _to = to;
+            }
+
+            public void Prepare(double duration, in Coasting coasting)
+            {
+                _duration = duration;
+                _coasting = coasting;
+            }
+
+            public void Step<TPush>(in Instant now, ref TPush push) where TPush : struct, IPush
+            {
+                TIntegrator[] bodies = _crowd._now;
+                double[] preparedFor = _crowd._preparedFor;
+                for (int i = _from; i < _to; i++)
+                {
+                    if (preparedFor[i] != _duration)
+                    {
+                        bodies[i].Prepare(_duration, _coasting);
+                        preparedFor[i] = _duration;
+                    }
+
+                    bodies[i].Step(now, ref push);
+                }
+            }
+        }
+    }
+}
+#endif

@@ -1,0 +1,112 @@
+#if NET
+using System.Runtime.CompilerServices;
+using Lanes = System.Numerics.Vector<double>;
+using Vector = System.Numerics.Vector;
+
+namespace RigidBodyDynamics
+{
+    internal partial struct SymmetricTop : IHasLanes
+    {
+        internal PrincipalAxesOrder Axes => _axes;
+
+        internal double Across => _across;
+
+        internal double Along => _along;
+
+        internal double Slip => _slip;
+
+        public Crowd InLanes<TScheme>(BodyDescription body) where TScheme : struct, IScheme =>
+            new Composition<SymmetricTop, TScheme>.InColumns<SymmetricTop, SymmetricLanes>(body);
+
+        public void Carry(Row row, bool isAll)
+        {
+            row.Carry(SymmetricLanes.Q, ref _q);
+            row.Carry(SymmetricLanes.Momentum, ref _momentum);
+            row.Carry(SymmetricLanes.W3, ref _w3);
+            if (!isAll)
+                return;
+
+            row.Carry(SymmetricLanes.QLost, ref _qLost);
+            row.Carry(SymmetricLanes.Turn, ref _turn);
+            row.Carry(SymmetricLanes.SpinW, ref _spinW);
+            row.Carry(SymmetricLanes.SpinZ, ref _spinZ);
+            row.Carry(SymmetricLanes.PreparedFor, ref _preparedFor);
+        }
+    }
+
+    /// <summary>The step of <see cref="SymmetricTop"/> for several bodies at once: its operations in its order.</summary>
+    internal struct SymmetricLanes : ITopLanes
+    {
+        public const int Q = CompositionLanes.Columns, QLost = Q + 4, Turn = QLost + 4, Momentum = Turn + 4;
+        public const int W3 = Momentum + 3, SpinW = W3 + 1, SpinZ = W3 + 2, PreparedFor = W3 + 3;
+
+        private PrincipalAxesOrder _axes;
+        private double _across, _along, _slip;
+
+        public int Columns => PreparedFor + 1;
+
+        public void Start(MassProperties mass)
+        {
+            SymmetricTop one = default(SymmetricTop);
+            one.Start(mass, Quaterniond.Identity, Vector3d.Zero);
+            _axes = one.Axes;
+            _across = one.Across;
+            _along = one.Along;
+            _slip = one.Slip;
+        }
+
+        public Vector3d FromBody(Vector3d v) => _axes.FromBody(v);
+
+        public void Kick(in Group bodies, in Impulse impulse)
+        {
+            QuaternionLanes q = new QuaternionLanes(bodies, Q);
+            VectorLanes world = new VectorLanes(impulse.World), body = new VectorLanes(impulse.Body);
+            Lanes along = impulse.HasWorld ? q.RotateInverse(world).Z : Lanes.Zero;
+            bodies[W3] += (body.Z + along) / new Lanes(_along);
+            VectorLanes change = impulse.HasBody ? world + q.Rotate(body) : world;
+            (new VectorLanes(bodies, Momentum) + change).Write(bodies, Momentum);
+            bodies[PreparedFor] = new Lanes(double.NaN);
+        }
+
+        public void Damp(in Group bodies, in Decay decay)
+        {
+            if (decay.IsNone)
+                return;
+
+            bodies[W3] = decay.Of(bodies[W3]);
+            decay.Of(new VectorLanes(bodies, Momentum)).Write(bodies, Momentum);
+            bodies[PreparedFor] = new Lanes(double.NaN);
+        }
+
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        public void Advance(in Group bodies, double time)
+        {
+            if (!Vector.EqualsAll(new Lanes(time), bodies[PreparedFor]))
+                Prepare(bodies, time);
+
+            QuaternionLanes q = new QuaternionLanes(bodies, Q), lost = new QuaternionLanes(bodies, QLost);
+            QuaternionLanes d = new QuaternionLanes(bodies, Turn) * q, p = q + d;
+            Lanes w = bodies[SpinW], z = bodies[SpinZ];
+            SmallTurn.Add(ref q, ref lost, new QuaternionLanes(
+                d.W + p.W * w - p.Z * z,
+                d.X + p.X * w + p.Y * z,
+                d.Y + p.Y * w - p.X * z,
+                d.Z + p.Z * w + p.W * z));
+            q.Write(bodies, Q);
+            lost.Write(bodies, QLost);
+        }
+
+        /// <summary>For all of them: the constants of one that is prepared already come out as they are.</summary>
+        private void Prepare(in Group bodies, double time)
+        {
+            VectorLanes rate = 1 / _across * new VectorLanes(bodies, Momentum);
+            SmallTurn.Of(rate, Vector.SquareRoot(VectorLanes.Dot(rate, rate)), time).Write(bodies, Turn);
+            Lanes slip = _slip * bodies[W3];
+            QuaternionLanes spin = SmallTurn.Of(new VectorLanes(Lanes.Zero, Lanes.Zero, slip), Vector.Abs(slip), time);
+            bodies[SpinW] = spin.W;
+            bodies[SpinZ] = spin.Z;
+            bodies[PreparedFor] = new Lanes(time);
+        }
+    }
+}
+#endif

@@ -1,0 +1,60 @@
+#if NET
+namespace RigidBodyDynamics
+{
+    /// <summary><see cref="IFreeTop"/> for several bodies at once, whose numbers are in columns from a row on.</summary>
+    internal interface ITopLanes
+    {
+        /// <summary>How many columns a body has in all.</summary>
+        int Columns { get; }
+
+        void Start(MassProperties mass);
+
+        /// <summary>A vector in body axes, in the axes in which the top wants it.</summary>
+        Vector3d FromBody(Vector3d v);
+
+        void Advance(in Group bodies, double time);
+
+        void Kick(in Group bodies, in Impulse impulse);
+
+        void Damp(in Group bodies, in Decay decay);
+    }
+
+    /// <summary>A top that has a form for several bodies at once.</summary>
+    internal interface IHasLanes
+    {
+        Crowd InLanes<TScheme>(BodyDescription body) where TScheme : struct, IScheme;
+
+        /// <summary>Carries what changes in it to its row or from there: all of it, or what one sees of it.</summary>
+        void Carry(Row row, bool isAll);
+    }
+
+    internal partial struct HeldTop : IHasLanes
+    {
+        public Crowd InLanes<TScheme>(BodyDescription body) where TScheme : struct, IScheme =>
+            new Composition<HeldTop, TScheme>.InColumns<HeldTop, HeldLanes>(body);
+
+        public void Carry(Row row, bool isAll)
+        {
+            Quaterniond q = Orientation;
+            row.Carry(CompositionLanes.Columns, ref q);
+            Orientation = q;
+        }
+    }
+
+    /// <summary>Bodies that do not turn.</summary>
+    internal struct HeldLanes : ITopLanes
+    {
+        public int Columns => CompositionLanes.Columns + 4;
+
+        public void Start(MassProperties mass) { }
+
+        public Vector3d FromBody(Vector3d v) => v;
+
+        public void Advance(in Group bodies, double time) { }
+
+        public void Kick(in Group bodies, in Impulse impulse) { }
+
+        public void Damp(in Group bodies, in Decay decay) { }
+    }
+}
+#endif

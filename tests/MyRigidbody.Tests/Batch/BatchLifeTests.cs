@@ -1,0 +1,220 @@
+using NUnit.Framework;
+
+namespace RigidBodyDynamics.Tests;
+
+/// <summary>Bodies come and go and are looked at in any order, and none notices the others.</summary>
+public sealed class BatchLifeTests
+{
+    // sums of this length are exact, so that time may begin anywhere
+    private static readonly TimeSteps Steps = TimeSteps.Every(1 / 64.0);
+
+    private static readonly Dictionary<string, Func<BodyDescription, BodyDescription>> Acting = new()
+    {
+        ["Exact, nothing"] = body => body,
+        ["Exact, gravity and damping"] = body => body.With(new Gravity(new Vector3d(0.1, -9.81, 0))).With(new LinearDamping(0.3)).With(new AngularDamping(0.02)),
+        ["Exact, torque"] = body => body.With(Torque.Constant(new Vector3d(0.1, 0.2, -0.1))),
+        ["Exact4, spring"] = body => body.With(new Spring(new Vector3d(0, 0.5, 0), new Vector3d(0, 3, 0), 4)),
+        ["LabEuler, factors per step"] = body => body.With(new DecayPerStep(0.98, 0.98)),
+    };
+
+    [Test]
+    public void Bodies_come_and_go_and_each_moves_as_if_it_were_alone(
+        [Values("Exact, nothing", "Exact, gravity and damping", "Exact, torque", "Exact4, spring", "LabEuler, factors per step")] string act,
+        [Values(1, 5, 6)] int mass)
+    {
+        Random random = new(mass);
+        int longest = act == "Exact, nothing" || act == "Exact, gravity and damping" ? 300 : 9;
+        BodyDescription body = Acting[act](new BodyDescription("body", Crowding.Masses.ElementAt(mass)) { Integrator = act.Split(',')[0] });
+        BodyState[] starts = Crowding.Starts(200, 2, body);
+        Batch batch = new(body, Steps);
+        Dictionary<int, (long Since, Simulation Alone)> alone = [];
+        for (int i = 0; i < 300; i++)
+        {
+            int[] ids = [.. alone.Keys];
+            switch (ids.Length == 0 ? 0 : random.Next(8))
+            {
+                case 0 or 1 when alone.Count < 40:
+                    BodyDescription one = body.Copy("alone", body.Mass);
+                    one.Start = starts[i % starts.Length];
+                    alone.Add(batch.Add(one.Start), (batch.StepsDone, new Simulation(new Scene("alone", "", Steps, [one]), Omissions.Coasting)));
+                    break;
+                case 2:
+                    int leaving = ids[random.Next(ids.Length)];
+                    batch.Remove(leaving);
+                    alone.Remove(leaving);
+                    break;
+                case 3 or 4:
+                    batch.Step(random.Next(1, random.Next(2, longest)));
+                    break;
+                case 5:
+                    BodyState[] all = new BodyState[batch.EndOfIds];
+                    batch.Read(all);
+                    foreach (int id in ids)
+                        Check(id, all[id]);
+                    break;
+                default:
+                    int some = ids[random.Next(ids.Length)];
+                    Check(some, batch[some]);
+                    break;
+            }
+
+            Assert.That(batch.Count, Is.EqualTo(alone.Count));
+        }
+
+        void Check(int id, BodyState found)
+        {
+            (long since, Simulation simulation) = alone[id];
+            simulation.Step(batch.StepsDone - since - simulation.StepsDone);
+            Crowding.Same(found, simulation.Bodies[0].State, $"body {id}, {act}, {since} to {batch.StepsDone}");
+        }
+    }
+
+    [Test]
+    public void Who_looks_when_makes_no_difference()
+    {
+        // two stretches in which the bodies coast, one in which they are pushed between them
+        BodyDescription body = new BodyDescription("body", Crowding.Masses.ElementAt(1))
+            .With(new Gravity(new Vector3d(0, -9.81, 0)), 2).With(Torque.Constant(new Vector3d(0, 0.1, 0)), 3, 4);
+        BodyState[] starts = Crowding.Starts(21, 3, body);
+        Batch often = new(body, Steps), once = new(body, Steps);
+        foreach (BodyState start in starts)
+        {
+            often.Add(start);
+            once.Add(start);
+        }
+
+        for (int i = 0; i < 600; i++)
+        {
+            often.Step();
+            _ = often[i % 5 * 4];
+        }
+
+        once.Step(600);
+        for (int i = 0; i < starts.Length; i++)
+            Crowding.Same(often[i], once[i], "body " + i);
+    }
+
+    [Test]
+    public void Bodies_that_may_not_wait_are_stepped()
+    {
+        BodyDescription body = new("body", Crowding.Masses.First());
+        Batch waits = new(body, Steps), stepped = new(body, Steps, Omissions.None);
+        BodyState start = new(Vector3d.Zero, Quaterniond.Identity, new Vector3d(1, 0, 0), new Vector3d(1, 2, 3));
+        waits.Add(start);
+        stepped.Add(start);
+        waits.Step(1000);
+        stepped.Step(1000);
+        Simulation alone = new(new Scene("alone", "", Steps, [Alone(body, start)]), Omissions.None);
+        alone.Step(1000);
+        Crowding.Same(stepped[0], alone.Bodies[0].State, "stepped");
+        Assert.That(waits[0], Is.Not.EqualTo(stepped[0]));
+        Assert.That(Conserved.AngleBetween(waits[0].Orientation, stepped[0].Orientation), Is.LessThan(1e-12)); // measured 9e-15
+    }
+
+    [Test]
+    public void Number_of_a_body_is_its_own_until_it_goes()
+    {
+        Batch batch = new(new BodyDescription("body", Crowding.Masses.First()), Steps);
+        int[] ids = [.. Enumerable.Range(0, 5).Select(i => batch.Add(At(i)))];
+        Assert.That(ids, Is.EqualTo(new[] { 0, 1, 2, 3, 4 }));
+        batch.Remove(1);
+        batch.Remove(3);
+        Assert.That(batch.Count, Is.EqualTo(3));
+        Assert.That(new[] { batch[0], batch[2], batch[4] }.Select(s => s.Position.X), Is.EqualTo(new[] { 0.0, 2, 4 }));
+        Assert.That(new[] { batch.Add(At(5)), batch.Add(At(6)), batch.Add(At(7)) }, Is.EqualTo(new[] { 3, 1, 5 }));
+        BodyState[] states = new BodyState[batch.EndOfIds];
+        batch.Read(states);
+        Assert.That(states.Select(s => s.Position.X), Is.EqualTo(new[] { 0.0, 6, 2, 5, 4, 7 }));
+
+        static BodyState At(int x) => new(new Vector3d(x, 0, 0), Quaterniond.Identity, Vector3d.Zero, Vector3d.Zero);
+    }
+
+    [TestCase("Exact, nothing", 1)]
+    [TestCase("Exact, torque", 1)]
+    [TestCase("Exact4, spring", 1)]
+    [TestCase("LabEuler, factors per step", 2)]
+    public void Neither_stepping_nor_looking_nor_coming_nor_going_allocates(string act, int threads)
+    {
+        BodyDescription body = Acting[act](new BodyDescription("body", Crowding.Masses.First()) { Integrator = act.Split(',')[0] });
+        BodyState[] starts = Crowding.Starts(1200, 1, body), states = new BodyState[1200];
+        Batch batch = new(body, Steps) { Threads = threads };
+        foreach (BodyState start in starts)
+            batch.Add(start);
+        Live();
+        // a collection that other tests cause adds what is left of the thread's own memory
+        Assert.That(Enumerable.Range(0, 3).Min(_ => BytesOfLiving()), Is.Zero);
+
+        long BytesOfLiving()
+        {
+            long before = GC.GetAllocatedBytesForCurrentThread();
+            Live();
+            return GC.GetAllocatedBytesForCurrentThread() - before;
+        }
+
+        void Live()
+        {
+            batch.Step(3);
+            batch.Remove(77);
+            batch.Remove(1077);
+            batch.Step();
+            batch.Read(states);
+            batch.Add(batch[5]);
+            batch.Add(states[78]);
+            batch.Step(act == "Exact, nothing" ? 130 : 2);
+            _ = batch[12];
+        }
+    }
+
+    [Test]
+    public void What_is_impossible_is_refused_by_name_and_changes_nothing()
+    {
+        Batch batch = new(new BodyDescription("body", Crowding.Masses.First()) { CanMove = false }, TimeSteps.Every(0.1, 10));
+        batch.Add(BodyState.AtRest);
+        batch.Step(3);
+        BodyState moving = BodyState.AtRest, nowhere = BodyState.AtRest;
+        moving.Velocity = new Vector3d(1, 0, 0);
+        nowhere.Position = new Vector3d(0, double.NaN, 0);
+        Refused(() => batch.Step(-1), "count", -1L);
+        Refused(() => batch.Step(8), "count", 8L);
+        Refused(() => batch.Threads = 0, "Threads", 0);
+        Refused(() => _ = batch[1], "id", 1);
+        Refused(() => _ = batch[-1], "id", -1);
+        Refused(() => batch.Remove(7), "id", 7);
+        Refused(() => batch.Read(Memory<BodyState>.Empty), "states", 0);
+        Refused(() => batch.Add(moving), "velocity", moving.Velocity);
+        Refused(() => batch.Add(nowhere), "position", nowhere.Position);
+        Assert.That(() => new Batch(null!, Steps), Throws.ArgumentNullException.With.Property("ParamName").EqualTo("body"));
+        Assert.That(() => new Batch(new BodyDescription("body", Crowding.Masses.First()), null!), Throws.ArgumentNullException.With.Property("ParamName").EqualTo("steps"));
+        Assert.That((batch.Count, batch.StepsDone, batch.Time), Is.EqualTo((1, 3L, 3 * 0.1)));
+
+        static void Refused(Action act, string name, object value) => Assert.That(
+            act, Throws.InstanceOf<ArgumentOutOfRangeException>().With.Property("ParamName").EqualTo(name).And.Property("ActualValue").EqualTo(value));
+    }
+
+    [TestCase(1)]
+    [TestCase(3)]
+    public void What_an_effect_throws_comes_out(int threads)
+    {
+        Batch batch = new(new BodyDescription("body", Crowding.Masses.First()).With(new Broken()), Steps) { Threads = threads };
+        foreach (BodyState start in Crowding.Starts(4000, 1, new BodyDescription("body", Crowding.Masses.First())))
+            batch.Add(start);
+        Assert.That(() => batch.Step(), Throws.InstanceOf<NotFiniteNumberException>());
+        Assert.That(batch.StepsDone, Is.Zero);
+    }
+
+    private static BodyDescription Alone(BodyDescription body, BodyState start)
+    {
+        BodyDescription alone = body.Copy("alone", body.Mass);
+        alone.Start = start;
+        return alone;
+    }
+
+    private readonly struct Broken : IPush
+    {
+        public PushTraits Traits => PushTraits.Moves;
+
+        public void At(in Instant now, in BodyState body, MassProperties mass, ref Wrench wrench) => throw new NotFiniteNumberException();
+
+        public void Over(in Instant now, double duration, in BodyState body, MassProperties mass, ref Wrench impulse) => throw new NotFiniteNumberException();
+    }
+}
