@@ -23,6 +23,7 @@ internal static class Program
             CostCommand.Create(),
             ChooseCommand.Create(),
             ExplainCommand.Create(),
+            BenchCommand.Create(),
             IntegratorsCommand.Create(),
         };
         // with no command at all: the lab's scene, both bodies

@@ -1,0 +1,75 @@
+using System.Globalization;
+using RigidBodyDynamics.Lab.Output;
+using Spectre.Console;
+
+namespace RigidBodyDynamics.Lab.Bench;
+
+/// <summary>What the times mean: ratios within one run, of what was timed in turns.</summary>
+internal static class Ratios
+{
+    /// <summary>The names of what is compared, so that a test can see to it that they are measured.</summary>
+    public static IEnumerable<string> Names =>
+        Single().Select(ratio => (ratio.Of, ratio.To)).Concat(Many().Select(ratio => (ratio.Of, ratio.To)))
+            .SelectMany(pair => new[] { pair.Of, pair.To }).Distinct();
+
+    /// <summary>All ratios that the measurements allow.</summary>
+    public static Table Table(IReadOnlyList<Measurement> all)
+    {
+        Table table = Terminal.NewTable("ratio", "of", "to", "is");
+        foreach ((string title, string of, string to) in Single())
+            Add(title, of, to);
+
+        foreach (int bodies in all.Select(m => m.Bodies).Distinct().Where(count => count > 1))
+        {
+            foreach ((string title, string of, string to, int threads) in Many())
+                Add(title, of, to, bodies, threads);
+        }
+
+        return table;
+
+        void Add(string title, string of, string to, int bodies = 1, int threads = 1)
+        {
+            Measurement? a = Find(of, bodies, 1), b = Find(to, bodies, threads);
+            if (a is not null && b is not null)
+            {
+                string many = bodies > 1 ? $", {bodies:N0} bodies" : string.Empty;
+                table.AddRow(new Text(title + many), new Text(of), new Text(to + (threads > 1 ? ", two threads" : string.Empty)),
+                    new Text(a.RatioTo(b).ToString(a.Median < 0.01 * b.Median ? "0.0e0" : "0.00", CultureInfo.InvariantCulture)));
+            }
+        }
+
+        Measurement? Find(string what, int bodies, int threads) =>
+            all.FirstOrDefault(m => m.What == what && m.Bodies == bodies && m.Threads == threads);
+    }
+
+    private static IEnumerable<(string Title, string Of, string To)> Single()
+    {
+        yield return ("the library's step to one written by hand", "lab's step, by the library", "lab's step, written by hand");
+        yield return ("a measurement to itself", "Exact, no effect, again", "Exact, no effect");
+        foreach (string effect in new[] { "gravity", "linear damping", "angular damping", "force", "torque", "drag", "spring" })
+        {
+            yield return ("an effect that is idle", $"Exact, {effect} idle", "Exact, no effect");
+            yield return ("an effect that acts", $"Exact, {effect} on", "Exact, no effect");
+        }
+
+        yield return ("a body that does not turn", "Exact, no spin", "Exact, three different moments");
+        yield return ("two equal moments", "Exact, two equal moments", "Exact, three different moments");
+        yield return ("three equal moments", "Exact, three equal moments", "Exact, three different moments");
+        yield return ("coasting unseen", "Exact, coasting and not looked at", "Exact, three different moments");
+        yield return ("at rest", "Exact, at rest", "Exact, three different moments");
+        yield return ("Unity's, asleep", "UnityRigidbody, asleep", "Exact, three different moments");
+        yield return ("damped to nothing", "LabEuler, damped for 100000 steps", "LabEuler, damped for 0 steps");
+        yield return ("damped to nothing", "Exact, damped for 100000 steps", "Exact, damped for 0 steps");
+    }
+
+    private static IEnumerable<(string Title, string Of, string To, int Threads)> Many()
+    {
+        foreach (string what in new[] { "Exact, three moments", "LabEuler", "translation" })
+        {
+            yield return ("lanes", what + ", one by one", what + ", together", 1);
+            yield return ("two threads", what + ", together", what + ", together", 2);
+        }
+
+        yield return ("coasting unseen", "Exact, coasting and not looked at, together", "Exact, three moments, together", 1);
+    }
+}

@@ -1,0 +1,185 @@
+namespace RigidBodyDynamics.Lab.Bench;
+
+/// <summary>What bench measures: groups of things that are compared with each other.</summary>
+internal static class Suite
+{
+    private const double Step = 0.02;
+
+    // an effect that is in the scene and does not act before the bench is long over
+    private const double Never = 1e8;
+
+    /// <summary>The lab's step by the library and written out by hand.</summary>
+    public static IReadOnlyList<Measurement> ByHand()
+    {
+        Vector3d gravity = new(0, -9.81, 0), force = new(5, 0, 0);
+        BodyDescription cube = Body("LabEuler", new Vector3d(0.5, 0.5, 0.5))
+            .With(new Gravity(gravity)).With(new DecayPerStep(0.98, 0.98)).With(new Force(force)).With(new Key(LabKey.R));
+        return
+        [
+            Alone("lab's step, written by hand", new HandWritten(cube.Start, cube.Mass, force, gravity, 0.98, Step).Go()),
+            Alone("lab's step, by the library", cube),
+        ];
+    }
+
+    /// <summary>A body that nothing pushes by every rule.</summary>
+    public static IReadOnlyList<Measurement> Rules() =>
+        [.. Catalogue.Rows.Select(row => Alone("free body by " + row.Name, Body(row.Name, new Vector3d(1, 2, 3))))];
+
+    /// <summary>Each effect on, in the scene but idle, and absent.</summary>
+    public static IReadOnlyList<Measurement> Effects()
+    {
+        (string Name, Func<BodyDescription, double, BodyDescription> With)[] effects =
+        [
+            ("gravity", (body, from) => body.With(new Gravity(new Vector3d(0, -9.81, 0)), from)),
+            ("linear damping", (body, from) => body.With(new LinearDamping(0.01), from)),
+            ("angular damping", (body, from) => body.With(new AngularDamping(0.01), from)),
+            ("force", (body, from) => body.With(new Force(new Vector3d(1, 0, 0)), from)),
+            ("torque", (body, from) => body.With(new Torque(new Vector3d(0.01, 0, 0), Vector3d.Zero, Vector3d.Zero, 0, true), from)),
+            ("drag", (body, from) => body.With(new QuadraticDrag(0.01), from)),
+            ("spring", (body, from) => body.With(new Spring(new Vector3d(0, 0.1, 0), Vector3d.Zero, 1), from)),
+        ];
+        return
+        [
+            Alone("Exact, no effect", General()),
+            Alone("Exact, no effect, again", General()),
+            .. effects.SelectMany(effect => new[]
+            {
+                Alone($"Exact, {effect.Name} on", effect.With(General(), 0)),
+                Alone($"Exact, {effect.Name} idle", effect.With(General(), Never)),
+            }),
+        ];
+    }
+
+    /// <summary>What a body is decides what it costs.</summary>
+    public static IReadOnlyList<Measurement> Shapes()
+    {
+        BodyDescription held = General(), asleep = Body("UnityRigidbody", new Vector3d(1, 2, 3));
+        held.Start = new BodyState(Vector3d.Zero, Quaterniond.Identity, new Vector3d(1, 2, 3), Vector3d.Zero);
+        asleep.Start = BodyState.AtRest;
+        BodyDescription lying = General();
+        lying.Start = BodyState.AtRest;
+        return
+        [
+            Alone("Exact, three different moments", General()),
+            Alone("Exact, two equal moments", Body("Exact", new Vector3d(1, 1, 0.5))),
+            Alone("Exact, three equal moments", Body("Exact", new Vector3d(1, 1, 1))),
+            Alone("Exact, no spin", held),
+            Unseen("Exact, coasting and not looked at", General()),
+            Unseen("Exact, at rest", lying),
+            Unseen("UnityRigidbody, asleep", asleep),
+        ];
+    }
+
+    /// <summary>A velocity that has been damped for a hundred thousand steps against a fresh one.</summary>
+    public static IReadOnlyList<Measurement> Denormals() =>
+    [
+        .. from rule in new[] { "LabEuler", "Exact" }
+           from steps in new[] { 0L, 100_000 }
+           select new Measurement($"{rule}, damped for {steps} steps", 1, 1, () =>
+           {
+               Simulation simulation = Of(Body(rule, new Vector3d(1, 2, 3)).With(new DecayPerStep(0.98, 0.98)), Omissions.None);
+               simulation.Step(steps);
+               SavedSimulation saved = simulation.Save();
+               // from there again and again, so that a fresh one stays fresh
+               return count =>
+               {
+                   for (; count > 0; count -= 200)
+                   {
+                       simulation.Restore(saved);
+                       simulation.Step(Math.Min(count, 200));
+                   }
+               };
+           }),
+    ];
+
+    /// <summary>Many bodies one by one and together, by one thread and two, and what the memory can do.</summary>
+    public static IReadOnlyList<Measurement> Many(int bodies)
+    {
+        List<Measurement> all = [];
+        foreach ((string what, Func<BodyDescription> like) in new (string, Func<BodyDescription>)[]
+        {
+            ("Exact, three moments", General),
+            ("LabEuler", () => Body("LabEuler", new Vector3d(1, 2, 3))),
+            ("translation", () => Held()),
+        })
+        {
+            if (bodies <= 100_000)
+                all.Add(new Measurement(what + ", one by one", bodies, 1, () => Of(like, bodies).Step));
+
+            foreach (int threads in new[] { 1, 2 })
+                all.Add(new Measurement(what + ", together", bodies, threads, () => Together(like(), bodies, threads, Omissions.None).Step));
+        }
+
+        foreach (int threads in new[] { 1, 2 })
+            all.Add(new Measurement("in-place scale of 26 doubles a body", bodies, threads, () => InPlaceScale.Of(26 * bodies, threads)));
+
+        all.Add(new Measurement("Exact, coasting and not looked at, together", bodies, 1, () => OneByOne(Together(General(), bodies, 1, Omissions.All).Step)));
+        return all;
+    }
+
+    private static Measurement Alone(string what, BodyDescription body, Omissions mayLeaveOut = Omissions.All & ~Omissions.Coasting) =>
+        new(what, 1, 1, () => Of(body, mayLeaveOut).Step);
+
+    // a step a call, as a game would: many in one call cost no more than one
+    private static Measurement Unseen(string what, BodyDescription body) => new(what, 1, 1, () => OneByOne(Of(body, Omissions.All).Step));
+
+    private static Action<long> OneByOne(Action<long> step) => count =>
+    {
+        for (long i = 0; i < count; i++)
+            step(1);
+    };
+
+    private static Measurement Alone(string what, Func<Action<long>> make) => new(what, 1, 1, make);
+
+    private static Simulation Of(BodyDescription body, Omissions mayLeaveOut) =>
+        new(new Scene("bench", string.Empty, TimeSteps.Every(Step), [body]), mayLeaveOut);
+
+    private static Simulation Of(Func<BodyDescription> like, int bodies)
+    {
+        BodyDescription[] all = new BodyDescription[bodies];
+        for (int i = 0; i < bodies; i++)
+        {
+            BodyDescription body = like();
+            all[i] = body.Copy("body " + i, body.Mass);
+            all[i].Start = Start(i, body);
+        }
+
+        return new Simulation(new Scene("bench", string.Empty, TimeSteps.Every(Step), all), Omissions.All & ~Omissions.Coasting);
+    }
+
+    private static Batch Together(BodyDescription body, int bodies, int threads, Omissions mayLeaveOut)
+    {
+        Batch batch = new(body, TimeSteps.Every(Step), mayLeaveOut) { Threads = threads };
+        for (int i = 0; i < bodies; i++)
+            batch.Add(Start(i, body));
+
+        return batch;
+    }
+
+    // spread a little, so that no two bodies do the same
+    private static BodyState Start(int i, BodyDescription body)
+    {
+        BodyState start = body.Start;
+        double part = (i % 1000) / 1000.0;
+        start.Velocity += part * start.Velocity;
+        start.AngularVelocity += 0.3 * part * start.AngularVelocity;
+        return start;
+    }
+
+    private static BodyDescription General() => Body("Exact", new Vector3d(1, 2, 3));
+
+    private static BodyDescription Held()
+    {
+        BodyDescription body = General();
+        body.CanTurn = false;
+        body.Start = new BodyState(Vector3d.Zero, Quaterniond.Identity, new Vector3d(1, 2, 3), Vector3d.Zero);
+        return body;
+    }
+
+    private static BodyDescription Body(string rule, Vector3d moments) => new("body", MassProperties.FromPrincipal(1, moments))
+    {
+        Integrator = rule,
+        Start = new BodyState(Vector3d.Zero, Quaterniond.Identity, new Vector3d(1, 2, 3), new Vector3d(1, 1.1, 0.9)),
+        Unity = new UnitySettings { MaxAngularVelocity = double.PositiveInfinity },
+    };
+}

@@ -1,0 +1,73 @@
+using System.CommandLine;
+using System.Globalization;
+using System.Text;
+using RigidBodyDynamics.Lab.Bench;
+using RigidBodyDynamics.Lab.Output;
+using Spectre.Console;
+
+namespace RigidBodyDynamics.Lab.Commands;
+
+/// <summary>Takes the time of everything, each thing beside what it is to be compared with.</summary>
+internal static class BenchCommand
+{
+    private const string DefaultFile = "out/bench.csv";
+
+    public static Command Create()
+    {
+        Option<string> output = new("--out") { Description = "the CSV file", DefaultValueFactory = _ => DefaultFile };
+        Option<bool> quick = new("--quick") { Description = "fewer repeats, and no million bodies" };
+        Command command = new("bench", "Time per step of every rule, of each effect on, idle and absent, of one body and of many") { output, quick };
+        command.SetAction(parsed => Execute(parsed.GetRequiredValue(output), parsed.GetValue(quick)));
+        return command;
+    }
+
+    private static int Execute(string file, bool isQuick)
+    {
+        string folder = Path.GetDirectoryName(Path.GetFullPath(file.Length > 0 ? file : throw new InputException("--out: must not be empty")))
+            ?? throw new InputException($"{file}: is a folder");
+        (string Title, IReadOnlyList<Measurement> Group)[] groups =
+        [
+            ("One body, turning freely", Suite.Rules()),
+            ("The lab's step", Suite.ByHand()),
+            ("Effects", Suite.Effects()),
+            ("What a body is", Suite.Shapes()),
+            ("Damped to nothing", Suite.Denormals()),
+            .. (isQuick ? [1, 1000] : new[] { 1, 1000, 100_000, 1_000_000 }).Select(count =>
+                (count.ToString("N0", CultureInfo.InvariantCulture) + (count == 1 ? " body" : " bodies"), Suite.Many(count))),
+        ];
+        StringBuilder csv = new("what,bodies,threads,nanosecondsPerBodyStep,bytesAllocated\n");
+        Terminal.WithProgress("taking the time", report =>
+        {
+            for (int i = 0; i < groups.Length; i++)
+            {
+                int before = i;
+                bool isLong = groups[i].Group[0].Bodies > 10_000;
+                Measurement.Take(groups[i].Group, isQuick ? 5 : isLong ? 9 : 25, isLong ? 0.05 : 0.01, done => report((before + done) / groups.Length));
+            }
+        });
+
+        foreach ((string title, IReadOnlyList<Measurement> group) in groups)
+        {
+            Table table = Terminal.NewTable(title, "threads", "ns a step", "half of them", "bytes");
+            foreach (Measurement m in group)
+            {
+                table.AddRow(
+                    new Text(m.What), new Text(m.Threads.ToString(CultureInfo.InvariantCulture)), new Text(Short(m.Median)),
+                    new Text($"{Short(m.Spread.Low)} to {Short(m.Spread.High)}"), new Text(Short(m.BytesAllocated)));
+                csv.Append(CultureInfo.InvariantCulture, $"\"{m.What}\",{m.Bodies},{m.Threads},{m.Median:R},{m.BytesAllocated:R}\n");
+            }
+
+            Terminal.Out.Write(table);
+        }
+
+        Terminal.Out.Write(Ratios.Table([.. groups.SelectMany(group => group.Group)]));
+        using Files files = new(folder, file);
+        files.Write(Path.GetFileName(file), temporary => File.WriteAllText(temporary, csv.ToString(), new UTF8Encoding(false)));
+        files.Keep();
+        Console.Out.WriteLine("written: " + file);
+        return 0;
+    }
+
+    private static string Short(double figure) =>
+        figure.ToString(figure < 0.1 && figure > 0 ? "0.000" : figure < 10 ? "0.0#" : "0", CultureInfo.InvariantCulture);
+}
