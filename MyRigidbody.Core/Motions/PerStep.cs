@@ -38,7 +38,7 @@ namespace RigidBodyDynamics
         {
             Vector3d[] copy = new Vector3d[Guard.NotNull(values, name).Count];
             for (int i = 0; i < copy.Length; i++)
-                copy[i] = Guard.Finite(values[i], name + "[" + i + "]");
+                copy[i] = Guard.Finite(values[i], name, i);
 
             return copy;
         }
