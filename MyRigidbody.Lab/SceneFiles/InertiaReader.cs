@@ -19,7 +19,7 @@ internal static class InertiaReader
         double mass = massPlace?.Make(() => Guard.Positive(massPlace.Value.Number(), string.Empty)) ?? 1;
         if (inertia == null)
         {
-            return (Centered(mass == 1 ? UnitBox : Solids.Box(mass, Ones), center), null);
+            return (Centered(massPlace?.Make(() => Solids.Box(mass, Ones)) ?? UnitBox, center), null);
         }
 
         Fields fields = inertia.Value.Fields();

@@ -90,6 +90,10 @@ internal sealed class Reading(string folder)
 
             return Outcome.Ran;
         }
+        catch (ArgumentException)
+        {
+            return Outcome.Refused;
+        }
         catch (FellShortException)
         {
             return Outcome.RanAway;

@@ -25,8 +25,8 @@ public sealed class DamagedFileTests
             },
             Throws.Nothing,
             () => $"input {tally.Inputs}");
-        // damage that is always refused, or never, would test nothing: measured 334 of 2000
-        Assert.That(Inputs - tally[Outcome.Refused], Is.InRange(200, 600));
+        // damage that is always refused, or never, would test nothing: measured 253 of 2000
+        Assert.That(Inputs - tally[Outcome.Refused], Is.InRange(150, 600));
     }
 
     [TestCaseSource(nameof(Kept))]
