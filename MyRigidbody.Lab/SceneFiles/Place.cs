@@ -108,7 +108,8 @@ internal readonly record struct Place(string File, Fields? Above, string Name, J
     public void Check(BodyDescription body) => Make(() =>
     {
         body.Check();
-        return body;
+        // what its rule refuses; a simulation with all its effects would be much larger than the file
+        return new Simulation(TimeSteps.Every(1), body.Copy(body.Name, body.Mass).Without(_ => true));
     });
 
     /// <summary>Makes something of what stands here; what the library refuses is an error of this place.</summary>
