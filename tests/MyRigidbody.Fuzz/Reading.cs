@@ -107,7 +107,7 @@ internal sealed class Reading(string folder)
         {
             return Outcome.Refused;
         }
-        catch (FellShortException)
+        catch (Exception noticed) when (noticed is FellShortException or BrokenEffectException)
         {
             return Outcome.RanAway;
         }

@@ -61,7 +61,14 @@ public sealed class TenStepsTests
                 continue;
             }
 
-            Assert.That(() => simulation.Step(10), RunAway.Contains(name) ? Throws.Nothing.Or.InstanceOf<ArgumentException>() : Throws.Nothing, name);
+            try
+            {
+                simulation.Step(10);
+            }
+            catch (BrokenEffectException) when (RunAway.Contains(name))
+            {
+            }
+
             Assert.That(simulation.Bodies[0].State.IsFinite || RunAway.Contains(name), Is.True, name);
         }
     }
