@@ -46,8 +46,9 @@ namespace RigidBodyDynamics
             if ((double)_inverseMass == 0 || !Guard.IsFinite((double)_inverseMass))
                 throw Guard.Refused("mass", _mass.Mass, Fits);
 
-            _inverseMoments = Fitting(RealVector<R>.From(_mass.PrincipalMoments).Inverse(), _mass.PrincipalMoments, "principal");
-            _moments = Fitting(_inverseMoments.Inverse(), _mass.PrincipalMoments, "principal");
+            // those may over- or underflow: a body that nothing turns keeps its spin without them
+            _inverseMoments = RealVector<R>.From(_mass.PrincipalMoments).Inverse();
+            _moments = _inverseMoments.Inverse();
             _centerOfMass = Fitting(_mass.CenterOfMass, "centerOfMass");
             _frame = Unit(_mass.PrincipalFrame, "frame");
             RealQuaternion<R> orientation = Unit(body.Start.Orientation, "orientation");
@@ -121,11 +122,12 @@ namespace RigidBodyDynamics
             _wake.Run((double)_h, _v, _q.RotateInverse(_w), _inverseMass, _moments);
         }
 
-        private static RealVector<R> Fitting(Vector3d given, string name) => Fitting(RealVector<R>.From(given), given, name);
-
         /// <summary>What is given in double may be infinite in single precision, and zero times that is NaN.</summary>
-        private static RealVector<R> Fitting(RealVector<R> value, Vector3d given, string name) =>
-            value.ToDouble().IsFinite ? value : throw Guard.Refused(name, given, Fits);
+        private static RealVector<R> Fitting(Vector3d given, string name)
+        {
+            RealVector<R> value = RealVector<R>.From(given);
+            return value.ToDouble().IsFinite ? value : throw Guard.Refused(name, given, Fits);
+        }
 
         private static RealQuaternion<R> Unit(Quaterniond given, string name)
         {

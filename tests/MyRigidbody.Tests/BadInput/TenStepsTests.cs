@@ -75,8 +75,6 @@ public sealed class TenStepsTests
 
     [TestCase("mass", 1e-40)]
     [TestCase("mass", 1e39)]
-    [TestCase("principal", 1e-40)]
-    [TestCase("principal", 1e39)]
     [TestCase("position", 1e39)]
     [TestCase("velocity", 1e39)]
     [TestCase("angularVelocity", 1e39)]
@@ -91,7 +89,7 @@ public sealed class TenStepsTests
         Quaterniond quaternion = new(0, vector);
         MassProperties mass = MassProperties.FromPrincipal(
             name == "mass" ? value : 1,
-            name == "principal" ? vector : new Vector3d(1, 1, 1),
+            new Vector3d(1, 1, 1),
             name == "frame" ? quaternion : Quaterniond.Identity,
             name == "centerOfMass" ? vector : Vector3d.Zero);
         BodyDescription body = new("b", mass)
