@@ -14,7 +14,12 @@ namespace RigidBodyDynamics
             Guard.NotNull(part, nameof(part));
             Guard.Finite(position, nameof(position));
             Quaterniond turn = Guard.Turn(orientation, nameof(orientation)).Normalized;
-            Add(part.Mass, position + turn.Rotate(part.CenterOfMass), part.Inertia.RotatedBy(Matrix3.Of(turn)));
+            _parts.Add(new Part
+            {
+                Mass = part.Mass,
+                Center = position + turn.Rotate(part.CenterOfMass),
+                Inertia = part.Inertia.RotatedBy(Matrix3.Of(turn)),
+            });
             return this;
         }
 
@@ -44,11 +49,8 @@ namespace RigidBodyDynamics
             return MassProperties.FromTensor(mass, inertia, center);
         }
 
-        internal void Add(double mass, Vector3d center, SymmetricMatrix3 inertia) =>
-            _parts.Add(new Part { Mass = mass, Center = center, Inertia = inertia });
-
         // d·d 1 − d dᵀ, with d·d − x² as y² + z²: a long thin body would lose the moment about its axis in the difference
-        private static SymmetricMatrix3 About(Vector3d d)
+        internal static SymmetricMatrix3 About(Vector3d d)
         {
             SymmetricMatrix3 outer = SymmetricMatrix3.Outer(d);
             Vector3d square = outer.Diagonal;

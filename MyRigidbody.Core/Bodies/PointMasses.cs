@@ -28,14 +28,22 @@ namespace RigidBodyDynamics
             if (points.Count == 0 || points.Count != masses.Count)
                 throw Guard.Refused(nameof(masses), masses.Count, "must be as many as there are points (" + points.Count + "), at least one");
 
-            Compound compound = new Compound();
+            double mass = 0;
+            Vector3d moment = Vector3d.Zero;
             for (int i = 0; i < points.Count; i++)
             {
-                Guard.Finite(points[i], nameof(points) + "[" + i + "]");
-                compound.Add(Guard.Positive(masses[i], nameof(masses) + "[" + i + "]"), points[i], default(SymmetricMatrix3));
+                Guard.Finite(points[i], nameof(points), i);
+                mass += Guard.Positive(masses[i], nameof(masses), i);
+                moment += masses[i] * points[i];
             }
 
-            return compound.ToMassProperties();
+            Guard.Positive(mass, "sum of masses");
+            Vector3d center = moment / mass;
+            SymmetricMatrix3 inertia = default(SymmetricMatrix3);
+            for (int i = 0; i < masses.Count; i++)
+                inertia += masses[i] * Compound.About(points[i] - center);
+
+            return MassProperties.FromTensor(mass, inertia, center);
         }
 
         /// <summary>The lab's box: an eighth of the mass in each corner. Three times the moments of the solid box.</summary>

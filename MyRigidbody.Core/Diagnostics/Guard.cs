@@ -40,6 +40,14 @@ namespace RigidBodyDynamics
                 : throw Refused(name, value, "must be a quaternion [w, x, y, z] of length 1 or one that can be scaled to it");
         }
 
+        /// <summary>Returns an item of a list if it is finite. A name for every item of a long list would cost more than the list.</summary>
+        internal static Vector3d Finite(Vector3d value, string list, int index) =>
+            value.IsFinite ? value : Finite(value, list + "[" + index + "]");
+
+        /// <summary>Returns an item of a list if it is finite and above zero.</summary>
+        internal static double Positive(double value, string list, int index) =>
+            value > 0 && IsFinite(value) ? value : Positive(value, list + "[" + index + "]");
+
         /// <summary>Returns the reference if it is not null.</summary>
         public static T NotNull<T>(T value, string name) where T : class => value ?? throw new ArgumentNullException(name);
 

@@ -28,6 +28,10 @@ namespace RigidBodyDynamics
 
         public void Over(in Instant now, double duration, in BodyState body, MassProperties mass, ref Wrench impulse)
         {
+            // default(HeldBy) is nobody's
+            if (_hand == null)
+                return;
+
             impulse.Force += duration * _hand.Force;
             impulse.Torque += duration * _hand.Torque;
         }

@@ -13,24 +13,27 @@ namespace RigidBodyDynamics
         {
             _pushes = Guard.NotNull(pushes, nameof(pushes));
             PushTraits traits = PushTraits.None;
-            foreach (IPush push in pushes)
-                traits |= push.Traits;
+            for (int i = 0; i < pushes.Length; i++)
+                traits |= (pushes[i] ?? throw new System.ArgumentNullException(nameof(pushes) + "[" + i + "]")).Traits;
 
             Traits = traits;
         }
 
         public PushTraits Traits { get; }
 
+        // default(Many) has none
+        private int Count => _pushes == null ? 0 : _pushes.Length;
+
         public void At(in Instant now, in BodyState body, MassProperties mass, ref Wrench wrench)
         {
-            for (int i = 0; i < _pushes.Length; i++)
+            for (int i = 0; i < Count; i++)
                 _pushes[i].At(now, body, mass, ref wrench);
         }
 
         public void Over(in Instant now, double duration, in BodyState body, MassProperties mass, ref Wrench impulse)
         {
-            for (int i = 0; i < _pushes.Length; i++)
-                _pushes[now.IsReversed ? _pushes.Length - 1 - i : i].Over(now, duration, body, mass, ref impulse);
+            for (int i = 0; i < Count; i++)
+                _pushes[now.IsReversed ? Count - 1 - i : i].Over(now, duration, body, mass, ref impulse);
         }
     }
 }

@@ -16,29 +16,32 @@ namespace RigidBodyDynamics
         }
 
         public PushTraits Traits =>
-            (_force.Length > 0 ? PushTraits.Moves | PushTraits.ReadsTime : PushTraits.None)
-            | (_torque.Length > 0 ? PushTraits.Turns | PushTraits.ReadsTime : PushTraits.None);
+            (Count(_force) > 0 ? PushTraits.Moves | PushTraits.ReadsTime : PushTraits.None)
+            | (Count(_torque) > 0 ? PushTraits.Turns | PushTraits.ReadsTime : PushTraits.None);
 
         public void At(in Instant now, in BodyState body, MassProperties mass, ref Wrench wrench) =>
             Over(now, 1, body, mass, ref wrench);
 
         public void Over(in Instant now, double duration, in BodyState body, MassProperties mass, ref Wrench impulse)
         {
-            if (now.Step < _force.Length)
+            if (now.Step < Count(_force))
                 impulse.Force += duration * _force[now.Step];
 
-            if (now.Step < _torque.Length)
+            if (now.Step < Count(_torque))
                 impulse.Torque += duration * _torque[now.Step];
         }
 
         /// <summary>In words.</summary>
-        public override string ToString() => "a force for each of " + _force.Length + " steps, a torque for each of " + _torque.Length;
+        public override string ToString() => "a force for each of " + Count(_force) + " steps, a torque for each of " + Count(_torque);
+
+        // default(PerStep) has no lists
+        private static int Count(Vector3d[] values) => values == null ? 0 : values.Length;
 
         private static Vector3d[] Copy(IReadOnlyList<Vector3d> values, string name)
         {
             Vector3d[] copy = new Vector3d[Guard.NotNull(values, name).Count];
             for (int i = 0; i < copy.Length; i++)
-                copy[i] = Guard.Finite(values[i], name + "[" + i + "]");
+                copy[i] = Guard.Finite(values[i], name, i);
 
             return copy;
         }

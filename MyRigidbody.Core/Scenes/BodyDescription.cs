@@ -92,7 +92,8 @@ namespace RigidBodyDynamics
 
         internal int IndexOf(Effect effect) => _effects.IndexOf(effect);
 
-        internal void Check()
+        /// <summary>Refuses, by name and value, what only shows when all has been said. A simulation does so before it begins.</summary>
+        public void Check()
         {
             Guard.Finite(Start.Position, "position");
             Guard.Turn(Start.Orientation, "orientation");

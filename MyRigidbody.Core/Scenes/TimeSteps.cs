@@ -19,7 +19,7 @@ namespace RigidBodyDynamics
 
         private TimeSteps(double length, long count)
         {
-            _length = Possible(length, "step");
+            _length = Possible(length);
             Count = count >= 1 ? count : throw Guard.Refused("steps", count, "must be at least 1");
         }
 
@@ -31,7 +31,7 @@ namespace RigidBodyDynamics
             double sum = 0, lost = 0;
             for (int i = 0; i < _lengths.Length; i++)
             {
-                _lengths[i] = Possible(lengths[i], "step[" + i + "]");
+                _lengths[i] = Possible(lengths[i], i);
                 // Kahan: what the sum rounds away is added with the next length
                 double add = _lengths[i] - lost, next = sum + add;
                 lost = (next - sum) - add;
@@ -56,7 +56,7 @@ namespace RigidBodyDynamics
         public static TimeSteps Until(double duration, double length)
         {
             Guard.Positive(duration, nameof(duration));
-            double count = Math.Max(1, Math.Ceiling(duration / Possible(length, "step") - Same));
+            double count = Math.Max(1, Math.Ceiling(duration / Possible(length) - Same));
             return count < 1e18
                 ? new TimeSteps(length, (long)count)
                 : throw Guard.Refused(nameof(duration), duration, "must not take more than 1e18 steps");
@@ -96,9 +96,9 @@ namespace RigidBodyDynamics
             return low;
         }
 
-        private static double Possible(double length, string name) =>
+        private static double Possible(double length, int index = -1) =>
             length > 0 && length <= Longest
                 ? length
-                : throw Guard.Refused(name, length, "must be above zero and at most 1e9 s");
+                : throw Guard.Refused(index < 0 ? "step" : "step[" + index + "]", length, "must be above zero and at most 1e9 s");
     }
 }

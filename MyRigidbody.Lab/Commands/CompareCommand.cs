@@ -67,7 +67,7 @@ internal static class CompareCommand
         {
             foreach (Pair pair in pairs)
             {
-                found.Add(Findings.Of(pair, scene.Steps, done => report((found.Count + done) / pairs.Count)));
+                found.Add(Overrides.Named(file.Path, () => Findings.Of(pair, scene.Steps, done => report((found.Count + done) / pairs.Count))));
             }
         });
 

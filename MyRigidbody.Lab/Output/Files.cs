@@ -65,9 +65,16 @@ internal sealed class Files : IDisposable
 
     private void TakeAway()
     {
-        foreach ((string temporary, string _) in _written)
+        try
         {
-            File.Delete(temporary);
+            foreach ((string temporary, string _) in _written)
+            {
+                File.Delete(temporary);
+            }
+        }
+        catch (Exception left) when (left is IOException or UnauthorizedAccessException)
+        {
+            // the folder has gone or was closed: that is why nothing was kept, and it has been said
         }
     }
 

@@ -103,7 +103,7 @@ internal static class EffectReader
         fields.End();
         return perStep;
 
-        Vector3d[] List(string name) => [.. fields.Optional(name)?.List("a list of vectors").Select(place => place.Vector()) ?? []];
+        Vector3d[] List(string name) => fields.Optional(name)?.Items("a list of vectors", place => place.Vector()) ?? [];
     }
 
     /// <summary>To which body an effect is added, and when it acts.</summary>

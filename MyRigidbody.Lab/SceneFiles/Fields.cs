@@ -50,6 +50,5 @@ internal sealed class Fields
         }
     }
 
-    private Place At(string name, JsonElement value) =>
-        new(Place.File, Place.Path.Length > 0 ? $"{Place.Path}.{name}" : name, value);
+    private Place At(string name, JsonElement value) => new(Place.File, this, name, value);
 }

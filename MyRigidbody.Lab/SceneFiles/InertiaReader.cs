@@ -6,6 +6,10 @@ internal static class InertiaReader
     // a mass beside masses may be rounded in the file, no more
     private const double SameMass = 1e-9;
 
+    private static readonly Vector3d Ones = new(1, 1, 1);
+
+    // of a file with many bodies of which little is said, most would be copies of it
+    private static readonly MassProperties UnitBox = Solids.Box(1, Ones);
     private static readonly string[] Shapes = ["solidBox", "boxVertices", "solidSphere", "points", "principal"];
 
     /// <summary>The mass properties, and for a box of vertices those of the solid box.</summary>
@@ -15,7 +19,7 @@ internal static class InertiaReader
         double mass = massPlace?.Make(() => Guard.Positive(massPlace.Value.Number(), string.Empty)) ?? 1;
         if (inertia == null)
         {
-            return (Centered(Solids.Box(mass, new Vector3d(1, 1, 1)), center), null);
+            return (Centered(massPlace?.Make(() => Solids.Box(mass, Ones)) ?? UnitBox, center), null);
         }
 
         Fields fields = inertia.Value.Fields();
@@ -41,13 +45,13 @@ internal static class InertiaReader
             throw center.Value.Wrong("must not stand beside points, which say where the centre of mass is");
         }
 
-        MassProperties? solid = shapes[0] == "boxVertices" ? Centered(Solids.Box(mass, shape.Vector()), center) : null;
+        MassProperties? solid = shapes[0] == "boxVertices" ? Centered(shape.Make(() => Solids.Box(mass, shape.Vector())), center) : null;
         return (Centered(found, center), solid);
     }
 
     private static MassProperties Points(Fields fields, Place list, Place? massPlace, double mass)
     {
-        Vector3d[] points = [.. list.List("a list of points").Select(place => place.Vector())];
+        Vector3d[] points = list.Items("a list of points", place => place.Vector());
         Place? massesPlace = fields.Optional("masses");
         if (massesPlace == null)
         {

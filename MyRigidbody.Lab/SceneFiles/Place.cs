@@ -5,11 +5,25 @@ namespace RigidBodyDynamics.Lab;
 
 /// <summary>A value in a JSON file that knows where it stands.</summary>
 /// <param name="File">The file, as the user called it.</param>
-/// <param name="Path">For instance <c>bodies[0].effects[2].from</c>; empty for the whole file.</param>
+/// <param name="Above">The object in which it stands; null for the whole file.</param>
+/// <param name="Name">The name before it; empty for the whole file.</param>
 /// <param name="Value">What stands there.</param>
-internal readonly record struct Place(string File, string Path, JsonElement Value)
+/// <param name="Index">Its number if it stands in a list of that name.</param>
+/// <param name="Inner">Its number if it stands in a list within that list.</param>
+internal readonly record struct Place(string File, Fields? Above, string Name, JsonElement Value, int? Index = null, int? Inner = null)
 {
     private const int MostShown = 40;
+
+    /// <summary>For instance <c>bodies[0].effects[2].from</c>; empty for the whole file.</summary>
+    /// <remarks>Put together only when something is wrong: a file may hold millions of places.</remarks>
+    public string Path
+    {
+        get
+        {
+            string above = Above?.Place.Path ?? string.Empty, name = Shown(Name), path = above.Length > 0 ? $"{above}.{name}" : name;
+            return path + Brackets(Index) + Brackets(Inner);
+        }
+    }
 
     /// <summary>The error that says what is wrong here.</summary>
     public InputException Wrong(string what) => new(Path.Length > 0 ? $"{File}: {Path}: {what}" : $"{File}: {what}");
@@ -53,20 +67,22 @@ internal readonly record struct Place(string File, string Path, JsonElement Valu
     public IEnumerable<Place> List(string of = "a list") =>
         Value.ValueKind == JsonValueKind.Array ? Items(this) : throw Not(of);
 
-    /// <summary>A list of finite numbers.</summary>
-    public double[] Numbers(string of = "a list of numbers")
+    /// <summary>What is made of the values of a list.</summary>
+    public T[] Items<T>(string of, Func<Place, T> read)
     {
-        double[] numbers = new double[Value.ValueKind == JsonValueKind.Array ? Value.GetArrayLength() : throw Not(of)];
+        T[] items = new T[Value.ValueKind == JsonValueKind.Array ? Value.GetArrayLength() : throw Not(of)];
         int i = 0;
         foreach (JsonElement element in Value.EnumerateArray())
         {
-            bool isNumber = element.ValueKind == JsonValueKind.Number && element.TryGetDouble(out numbers[i]) && double.IsFinite(numbers[i]);
-            numbers[i] = isNumber ? numbers[i] : Item(i, element).Number();
+            items[i] = read(Item(i, element));
             i++;
         }
 
-        return numbers;
+        return items;
     }
+
+    /// <summary>A list of finite numbers.</summary>
+    public double[] Numbers(string of = "a list of numbers") => Items(of, item => item.Number());
 
     /// <summary>[x, y, z].</summary>
     public Vector3d Vector()
@@ -88,6 +104,14 @@ internal readonly record struct Place(string File, string Path, JsonElement Valu
     /// <summary>The fields of an object.</summary>
     public Fields Fields() => new(this);
 
+    /// <summary>Finds what is wrong with a body as a whole.</summary>
+    public void Check(BodyDescription body) => Make(() =>
+    {
+        body.Check();
+        // what its rule refuses; a simulation with all its effects would be much larger than the file
+        return new Simulation(TimeSteps.Every(1), body.Copy(body.Name, body.Mass).Without(_ => true));
+    });
+
     /// <summary>Makes something of what stands here; what the library refuses is an error of this place.</summary>
     public T Make<T>(Func<T> make)
     {
@@ -102,7 +126,7 @@ internal readonly record struct Place(string File, string Path, JsonElement Valu
             string rule = refused.Message.StartsWith(name + ": ", StringComparison.Ordinal) ? refused.Message[(name.Length + 2)..] : refused.Message;
             string field = name.Split('[')[0];
             bool isField = Value.ValueKind == JsonValueKind.Object && field.Length > 0 && Value.TryGetProperty(field, out _);
-            throw (isField ? this with { Path = Path.Length > 0 ? $"{Path}.{name}" : name } : this).Wrong(rule);
+            throw (isField ? new Place(File, Fields(), name, Value) : this).Wrong(rule);
         }
     }
 
@@ -116,14 +140,17 @@ internal readonly record struct Place(string File, string Path, JsonElement Valu
     }
 
     private Place Item(int i, JsonElement element) =>
-        new(File, string.Create(CultureInfo.InvariantCulture, $"{Path}[{i}]"), element);
+        Index == null ? this with { Value = element, Index = i } : this with { Value = element, Inner = i };
 
-    private string Found
+    private static string Brackets(int? index) =>
+        index == null ? string.Empty : string.Create(CultureInfo.InvariantCulture, $"[{index}]");
+
+    private string Found => Shown(Value.GetRawText());
+
+    /// <summary>What was found, in one line that a reader can take in.</summary>
+    public static string Shown(string text)
     {
-        get
-        {
-            string text = Value.GetRawText().ReplaceLineEndings(" ");
-            return text.Length <= MostShown ? text : text[..MostShown] + "…";
-        }
+        string line = text.ReplaceLineEndings(" ");
+        return line.Length <= MostShown ? line : line[..MostShown] + "…";
     }
 }

@@ -26,18 +26,30 @@ internal sealed record Recording(string Path, IReadOnlyList<float[]> Rows)
             return new Recording(path, []);
         }
 
-        string[] lines = [.. File.ReadLines(path).Where(line => line.Length > 0)];
-        if (lines.Length == 0 || lines[0] != Header)
+        ArraySegment<byte> bytes = InputFile.Bytes(path);
+        using StreamReader lines = new(new MemoryStream(bytes.Array!, bytes.Offset, bytes.Count));
+        if (lines.ReadLine() != Header)
         {
             throw new InputException($"{path}: line 1: must be {Header}");
         }
 
-        if (lines.Length - 2 != steps)
+        List<float[]> rows = new((int)steps + 1);
+        for (int number = 2; lines.ReadLine() is string line; number++)
         {
-            throw new InputException($"{path}: must have {steps + 1} rows, one more than there are steps, found {lines.Length - 1}");
+            if (rows.Count > steps && line.Length > 0)
+            {
+                throw WrongCount("more");
+            }
+
+            if (line.Length > 0)
+            {
+                rows.Add(Row(line, path, number));
+            }
         }
 
-        return new Recording(path, [.. lines.Skip(1).Select((line, i) => Row(line, path, i + 2))]);
+        return rows.Count > steps ? new Recording(path, rows) : throw WrongCount(rows.Count.ToString(CultureInfo.InvariantCulture));
+
+        InputException WrongCount(string found) => new($"{path}: must have {steps + 1} rows, one more than there are steps, found {found}");
     }
 
     /// <summary>Whether a recorded body slept after a step.</summary>
@@ -45,19 +57,23 @@ internal sealed record Recording(string Path, IReadOnlyList<float[]> Rows)
 
     private static float[] Row(string line, string path, int number)
     {
-        string[] cells = line.Split(',');
         float[] row = new float[Columns.Length + 2];
-        if (cells.Length != row.Length + 2)
+        int found = line.AsSpan().Count(',') + 1;
+        if (found != row.Length + 2)
         {
-            throw new InputException($"{path}: line {number}: must have {row.Length + 2} numbers, found {cells.Length}");
+            throw new InputException($"{path}: line {number}: must have {row.Length + 2} numbers, found {found}");
         }
 
-        for (int i = 0; i < row.Length; i++)
+        int i = -2;
+        foreach (Range range in line.AsSpan().Split(','))
         {
-            if (!float.TryParse(cells[i + 2], NumberStyles.Float, CultureInfo.InvariantCulture, out row[i]) || !float.IsFinite(row[i]))
+            ReadOnlySpan<char> cell = line.AsSpan(range);
+            if (i >= 0 && !(float.TryParse(cell, NumberStyles.Float, CultureInfo.InvariantCulture, out row[i]) && float.IsFinite(row[i])))
             {
-                throw new InputException($"{path}: line {number}: must be finite numbers, found {cells[i + 2]}");
+                throw new InputException($"{path}: line {number}: must be finite numbers, found {Place.Shown(cell.ToString())}");
             }
+
+            i++;
         }
 
         return row;

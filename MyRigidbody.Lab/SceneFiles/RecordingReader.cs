@@ -12,7 +12,7 @@ internal static class RecordingReader
         string about = fields.Or("about", string.Empty, place => place.Text());
         long count = fields.Required("steps").Count();
         Place dt = fields.Required("dt");
-        double[] lengths = [.. Numbers(dt, count)];
+        double[] lengths = Numbers(dt, count);
         TimeSteps steps = dt.Make(() => TimeSteps.Of(lengths));
         BodyDescription body = Body(fields, name);
         Vector3d[] force = Vectors(fields, "force", count), torque = Vectors(fields, "torque", count);
@@ -25,7 +25,7 @@ internal static class RecordingReader
         }
 
         fields.End();
-        root.Make(() => new Simulation(steps, body));
+        root.Check(body);
         Scene scene = new(name, about, steps, [body]);
         return new SceneFile(root.File, scene, new Dictionary<string, MassProperties>(), Recording.Beside(root.File, count));
     }
@@ -57,18 +57,15 @@ internal static class RecordingReader
 
     private static double Number(Fields fields, string name) => fields.Required(name).Single();
 
-    private static IEnumerable<double> Numbers(Place place, long count)
+    private static double[] Numbers(Place place, long count)
     {
-        IEnumerable<Place> list = place.List("a list of numbers");
-        int found = place.Value.GetArrayLength();
-        return found == count
-            ? list.Select(number => (double)number.Single())
-            : throw place.Wrong($"must have {count} numbers, found {found}");
+        double[] numbers = place.Items("a list of numbers", number => (double)number.Single());
+        return numbers.Length == count ? numbers : throw place.Wrong($"must have {count} numbers, found {numbers.Length}");
     }
 
     private static Vector3d Vector(Fields fields, string name)
     {
-        double[] n = [.. Numbers(fields.Required(name), 3)];
+        double[] n = Numbers(fields.Required(name), 3);
         return new Vector3d(n[0], n[1], n[2]);
     }
 
@@ -76,13 +73,13 @@ internal static class RecordingReader
     private static Quaterniond Turn(Fields fields, string name)
     {
         Place place = fields.Required(name);
-        double[] n = [.. Numbers(place, 4)];
+        double[] n = Numbers(place, 4);
         return place.Make(() => Guard.Turn(new Quaterniond(n[3], n[0], n[1], n[2]), string.Empty));
     }
 
     private static Vector3d[] Vectors(Fields fields, string name, long count)
     {
-        double[] n = [.. Numbers(fields.Required(name), 3 * count)];
+        double[] n = Numbers(fields.Required(name), 3 * count);
         return [.. Enumerable.Range(0, (int)count).Select(i => new Vector3d(n[3 * i], n[3 * i + 1], n[3 * i + 2]))];
     }
 }

@@ -34,8 +34,7 @@ internal static class SceneReader
                 throw place.Wrong($"name: must be unique in the scene, found \"{body.Name}\" again");
             }
 
-            // what only shows when the body is put together
-            place.Make(() => new Simulation(steps, body));
+            place.Check(body);
             bodies.Add(body);
         }
 

@@ -6,6 +6,8 @@ namespace RigidBodyDynamics
     /// </summary>
     public struct UnityRigidbody<R> : IIntegrator where R : struct, IRounding
     {
+        private const string Fits = "must fit the precision of UnityRigidbody";
+
         private RealVector<R> _c, _v, _w, _centerOfMass, _inverseMoments, _moments, _gravity;
         private RealQuaternion<R> _q, _frame;
         private Real<R> _inverseMass, _h, _keepV, _keepW, _maxW2, _decayV, _decayW;
@@ -41,15 +43,19 @@ namespace RigidBodyDynamics
             _canMove = body.CanMove;
             _canTurn = body.CanTurn;
             _inverseMass = 1.0 / (Real<R>)_mass.Mass;
+            if ((double)_inverseMass == 0 || !Guard.IsFinite((double)_inverseMass))
+                throw Guard.Refused("mass", _mass.Mass, Fits);
+
+            // those may over- or underflow: a body that nothing turns keeps its spin without them
             _inverseMoments = RealVector<R>.From(_mass.PrincipalMoments).Inverse();
             _moments = _inverseMoments.Inverse();
-            _centerOfMass = RealVector<R>.From(_mass.CenterOfMass);
-            _frame = RealQuaternion<R>.From(_mass.PrincipalFrame).Normalized;
-            RealQuaternion<R> orientation = RealQuaternion<R>.From(body.Start.Orientation).Normalized;
-            _c = RealVector<R>.From(body.Start.Position) + orientation.Rotate(_centerOfMass);
+            _centerOfMass = Fitting(_mass.CenterOfMass, "centerOfMass");
+            _frame = Unit(_mass.PrincipalFrame, "frame");
+            RealQuaternion<R> orientation = Unit(body.Start.Orientation, "orientation");
+            _c = Fitting(body.Start.Position, "position") + orientation.Rotate(_centerOfMass);
             _q = orientation * _frame;
-            _v = RealVector<R>.From(body.Start.Velocity);
-            _w = RealVector<R>.From(body.Start.AngularVelocity);
+            _v = Fitting(body.Start.Velocity, "velocity");
+            _w = Fitting(body.Start.AngularVelocity, "angularVelocity");
             _wake = new WakeCounter<R>(_unity.WakeCounter, _unity.SleepThreshold);
             IsAsleep = false;
         }
@@ -114,6 +120,20 @@ namespace RigidBodyDynamics
 
             // 10., 11. the clock that lets it sleep
             _wake.Run((double)_h, _v, _q.RotateInverse(_w), _inverseMass, _moments);
+        }
+
+        /// <summary>What is given in double may be infinite in single precision, and zero times that is NaN.</summary>
+        private static RealVector<R> Fitting(Vector3d given, string name)
+        {
+            RealVector<R> value = RealVector<R>.From(given);
+            return value.ToDouble().IsFinite ? value : throw Guard.Refused(name, given, Fits);
+        }
+
+        private static RealQuaternion<R> Unit(Quaterniond given, string name)
+        {
+            RealQuaternion<R> unit = RealQuaternion<R>.From(given).Normalized;
+            double square = unit.ToDouble().LengthSquared;
+            return square > 0.5 && square < 2 ? unit : throw Guard.Refused(name, given, Fits);
         }
 
         /// <summary>6. The length of ω is limited, not each component.</summary>

@@ -1,0 +1,115 @@
+using System.Buffers;
+using RigidBodyDynamics.Lab;
+using RigidBodyDynamics.Lab.Commands;
+
+namespace RigidBodyDynamics.Fuzz;
+
+/// <summary>What became of an input.</summary>
+internal enum Outcome
+{
+    /// <summary>The reader said in one line what is wrong.</summary>
+    Refused,
+
+    /// <summary>It was read and simulated, and all numbers stayed finite.</summary>
+    Ran,
+
+    /// <summary>It was read, and the simulation ran out of the range of numbers and was reported.</summary>
+    RanAway,
+}
+
+/// <summary>Something an input must not do.</summary>
+internal sealed class FoundException(string what) : Exception(what);
+
+/// <summary>Reads an input as a user's file, and simulates what was accepted.</summary>
+internal sealed class Reading(string folder)
+{
+    /// <summary>What reading any file may allocate beside its multiple of the file, bytes.</summary>
+    public const long Base = 64 << 10;
+
+    /// <summary>What every object { … } of the file may allocate beside that: a body or an effect is larger than its text.</summary>
+    public const long BaseOfObject = 2 << 10;
+
+    /// <summary>How many times the size of a file reading it may allocate.</summary>
+    public const double MostTimes = 20;
+
+    private const int MostSteps = 5, MostBodies = 50;
+
+    /// <summary>Where the input lies while it is read.</summary>
+    public string Path { get; } = System.IO.Path.Combine(folder, "input.json");
+
+    /// <summary>All that was allocated beyond the bases, garbage too, by size of the file.</summary>
+    public double Times { get; private set; }
+
+    /// <summary>Reads; an exception if the input is answered by anything but a refusal or a motion.</summary>
+    public Outcome Of(Input input)
+    {
+        input.Write(Path);
+        long free = Base + (BaseOfObject * input.Json.LongCount(letter => letter == '{'));
+        SceneFile? file = Read(input.Size, out long allocated);
+        if (allocated > free + (MostTimes * input.Size))
+        {
+            // what the program makes once, tables and texts of errors, is not the file's and is there the second time
+            file = Read(input.Size, out allocated);
+        }
+
+        Times = Math.Max(0, allocated - free) / (double)Math.Max(1, input.Size);
+        if (Times > MostTimes)
+            throw new FoundException($"takes {allocated} bytes to read {input.Size}");
+
+        return file == null ? Outcome.Refused : Simulate(file.Scene);
+    }
+
+    /// <summary>What is in the file; null if it is refused.</summary>
+    private SceneFile? Read(long size, out long allocated)
+    {
+        WarmPool(size);
+        SceneFile? file = null;
+        long before = GC.GetAllocatedBytesForCurrentThread();
+        try
+        {
+            file = SceneReader.Read(Path);
+        }
+        catch (InputException refused)
+        {
+            if (!refused.Message.StartsWith(folder, StringComparison.Ordinal) || refused.Message.Any(char.IsControl))
+                throw new FoundException("is refused, but not in one line that names the file: " + refused.Message);
+        }
+
+        allocated = GC.GetAllocatedBytesForCurrentThread() - before;
+        return file;
+    }
+
+    /// <summary>
+    /// The JSON library rents its table of tokens, 12 bytes each, and gives it back; whether the pool has one or makes one
+    /// depends on what was read before. <see cref="LargeFiles"/> measures with the table.
+    /// </summary>
+    private static void WarmPool(long size)
+    {
+        for (long length = 256; length < 64 * size; length *= 2)
+            ArrayPool<byte>.Shared.Return(ArrayPool<byte>.Shared.Rent((int)length));
+    }
+
+    private Outcome Simulate(Scene scene)
+    {
+        try
+        {
+            Simulation simulation = new(new Scene(scene.Name, scene.About, scene.Steps, [.. scene.Bodies.Take(MostBodies)]));
+            long steps = Math.Min(MostSteps, scene.Steps.Count);
+            for (int i = 0; i < steps; i++)
+            {
+                simulation.Step();
+                RunCommand.MustBeFinite(simulation, Path);
+            }
+
+            return Outcome.Ran;
+        }
+        catch (ArgumentException)
+        {
+            return Outcome.Refused;
+        }
+        catch (Exception noticed) when (noticed is FellShortException or BrokenEffectException)
+        {
+            return Outcome.RanAway;
+        }
+    }
+}
