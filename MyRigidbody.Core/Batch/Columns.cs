@@ -66,7 +66,8 @@ namespace RigidBodyDynamics
     internal readonly ref struct Group
     {
         private readonly Span<double> _numbers;
-        private readonly int _stride;
+        // in the width of an address, so that it need not be widened for every access
+        private readonly long _stride;
 
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
         public Group(Span<double> numbers, int stride)
@@ -76,13 +77,13 @@ namespace RigidBodyDynamics
         }
 
         /// <summary>One of the neighbours.</summary>
-        public Row Row(int lane, bool isOut) => new Row(_numbers.Slice(lane), _stride, isOut);
+        public Row Row(int lane, bool isOut) => new Row(_numbers.Slice(lane), (int)_stride, isOut);
 
         /// <summary>A number of each; the column is not checked, because that would cost as much as the arithmetic.</summary>
         public ref Lanes this[int column]
         {
             [MethodImpl(MethodImplOptions.AggressiveInlining)]
-            get => ref Unsafe.As<double, Lanes>(ref Unsafe.Add(ref MemoryMarshal.GetReference(_numbers), column * _stride));
+            get => ref Unsafe.As<double, Lanes>(ref Unsafe.Add(ref MemoryMarshal.GetReference(_numbers), (IntPtr)(column * _stride)));
         }
     }
 
