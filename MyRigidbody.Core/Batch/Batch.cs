@@ -16,6 +16,7 @@ namespace RigidBodyDynamics
     {
         // enough for a thread to be worth waking, few enough to stay in its cache
         private const int BodiesOfPart = 1024;
+        private const int MostThreads = 1024;
 
         private readonly BodyPlan _plan;
         private readonly BodyDescription _like;
@@ -71,14 +72,14 @@ namespace RigidBodyDynamics
         /// <summary>Time since the start, s.</summary>
         public double Time => _plan.Steps.StartOf(StepsDone);
 
-        /// <summary>How many threads may step at a time, at least 1; the result is the same for any number.</summary>
+        /// <summary>How many threads may step at a time, from 1 to 1024; the result is the same for any number.</summary>
         public int Threads
         {
             get => _team.Threads;
             set
             {
-                if (value < 1)
-                    throw Guard.Refused(nameof(Threads), value, "must be at least 1");
+                if (value < 1 || value > MostThreads)
+                    throw Guard.Refused(nameof(Threads), value, "must be from 1 to " + MostThreads);
 
                 int old = _steppers.Length;
                 Array.Resize(ref _steppers, Math.Max(old, value));

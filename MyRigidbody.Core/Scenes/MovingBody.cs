@@ -102,11 +102,15 @@ namespace RigidBodyDynamics
             }
         }
 
-        /// <summary>Lets the body lie where nothing has to be computed until somebody looks.</summary>
+        /// <summary>
+        /// Lets the body lie where nothing has to be computed until somebody looks: from the start of a stretch, or asleep, but
+        /// not wherever a call happens to end, or the bits would depend on the calls.
+        /// </summary>
         private void Settle()
         {
             Stretch<TIntegrator> stretch = _stretches[_now.Stretch];
-            if (Plan.MayCoast && stretch.LetsCoast(ref _now.Motion, _steps, _now.Step))
+            bool isPlace = _now.Step == Plan.Stretches[_now.Stretch].First || _now.Motion.IsAsleep;
+            if (isPlace && Plan.MayCoast && stretch.LetsCoast(ref _now.Motion, _steps, _now.Step))
             {
                 _now.IsDormant = true;
                 _now.Anchored = _now.Step;
