@@ -1,0 +1,58 @@
+namespace RigidBodyDynamics.Mutants;
+
+/// <summary>
+/// Which tests are asked about a mutant, and in which order: those that reach it, first those that noticed its neighbours,
+/// then the fast before the slow, in batches that double, and no more than can run in eight seconds.
+/// </summary>
+internal sealed class Plan(Coverage coverage, Marks marks)
+{
+    // the only ones whose expected value is the program's own output
+    private static readonly string[] Golden =
+    [
+        "RigidBodyDynamics.Tests.FingerprintTests.All_integrators_with_all_effects_come_to_the_same_bits_everywhere",
+        "RigidBodyDynamics.Tests.FingerprintTests.Runs_side_by_side_do_not_disturb_one_another",
+    ];
+
+    private const double Longest = 8000;
+    private readonly HashSet<int> _once = [.. coverage.Once];
+    private readonly Dictionary<string, int> _noticed = [];
+
+    /// <summary>The batches for a mutant; none if nothing reaches it.</summary>
+    public Batch[] For(Mutant mutant, bool golden)
+    {
+        // what stands outside all code, or runs when a type is first used, may be felt by any test
+        int? mark = marks.Around(mutant);
+        HashSet<int> near = mark is int only && !_once.Contains(only) ? [only] : [.. marks.Of(mutant.File)];
+        bool everywhere = mark is not int known || _once.Contains(known);
+        IEnumerable<KnownTest> tests = coverage.Tests.Where(test => Golden.Contains(test.Name) == golden);
+        List<KnownTest> reaching = [.. tests.Where(test => everywhere || test.Marks.Any(near.Contains))];
+        lock (_noticed)
+        {
+            reaching = [.. reaching
+                .OrderByDescending(test => test.Marks.Any(near.Contains))
+                .ThenByDescending(test => Math.Min(3, _noticed.GetValueOrDefault(test.Name + mutant.File)) * (test.Milliseconds < 100 ? 1 : 0))
+                .ThenBy(test => test.Milliseconds)];
+        }
+
+        double sum = 0;
+        reaching = [.. reaching.TakeWhile(test => golden || (sum += test.Milliseconds) < Longest)];
+
+        List<Batch> batches = [];
+        for (int from = 0, count = 2; from < reaching.Count; from += count, count *= 2)
+            batches.Add(BatchOf(reaching.GetRange(from, Math.Min(count, reaching.Count - from))));
+        return [.. batches];
+    }
+
+    /// <summary>Remembers that a test noticed a mutant.</summary>
+    public void Noticed(Mutant mutant, string test)
+    {
+        lock (_noticed)
+            _noticed[test + mutant.File] = _noticed.GetValueOrDefault(test + mutant.File) + 1;
+    }
+
+    // ten times what it takes on a quiet machine, and time to load
+    private static Batch BatchOf(List<KnownTest> tests) => new(
+        [.. tests.Select(test => test.Fixture).Distinct()],
+        [.. tests.Select(test => test.Name)],
+        10_000 + 10 * tests.Sum(test => test.Milliseconds));
+}
