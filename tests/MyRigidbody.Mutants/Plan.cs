@@ -2,7 +2,7 @@ namespace RigidBodyDynamics.Mutants;
 
 /// <summary>
 /// Which tests are asked about a mutant, and in which order: those that reach it, first those that noticed its neighbours,
-/// then the fast before the slow, in batches that double, and no more than can run in eight seconds.
+/// then the fast before the slow, in batches that double, and no more than can run in three and a half seconds.
 /// </summary>
 internal sealed class Plan(Coverage coverage, Marks marks)
 {
@@ -13,7 +13,7 @@ internal sealed class Plan(Coverage coverage, Marks marks)
         "RigidBodyDynamics.Tests.FingerprintTests.Runs_side_by_side_do_not_disturb_one_another",
     ];
 
-    private const double Longest = 8000;
+    private const double Longest = 3500;
     private readonly HashSet<int> _once = [.. coverage.Once];
     private readonly Dictionary<string, int> _noticed = [];
 

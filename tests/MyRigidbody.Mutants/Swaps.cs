@@ -7,12 +7,14 @@ namespace RigidBodyDynamics.Mutants;
 /// <summary>What is put in the place of what.</summary>
 internal static class Swaps
 {
-    /// <summary>A sign for its opposite, a comparison for the one that differs at equality and for its contrary.</summary>
+    /// <summary>
+    /// A sign for its opposite, a comparison for the one that differs at equality and for its contrary. A product is not made
+    /// a quotient: that a factor matters is asked by leaving it out.
+    /// </summary>
     public static string[] Operator(string text) => text switch
     {
         "+" => ["-"],
         "-" => ["+"],
-        "*" => ["/"],
         "/" => ["*"],
         "%" => ["*"],
         "<" => ["<=", ">="],

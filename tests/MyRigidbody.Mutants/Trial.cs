@@ -12,6 +12,9 @@ internal sealed class Trial(CoreCompilation core, Plan plan, string scratch, str
     public Outcome[] Of(IReadOnlyList<Mutant> mutants)
     {
         Outcome[] outcomes = new Outcome[mutants.Count];
+        // shuffled, so that what is known on the way is what can be expected of all
+        int[] order = [.. Enumerable.Range(0, mutants.Count)];
+        new Random(1).Shuffle(order);
         int next = -1, done = 0;
         Stopwatch watch = Stopwatch.StartNew();
         using Timer progress = new(
@@ -22,8 +25,9 @@ internal sealed class Trial(CoreCompilation core, Plan plan, string scratch, str
         void Work()
         {
             using WorkerProcess worker = new(scratch, testFolder);
-            for (int i = Interlocked.Increment(ref next); i < mutants.Count; i = Interlocked.Increment(ref next))
+            for (int n = Interlocked.Increment(ref next); n < mutants.Count; n = Interlocked.Increment(ref next))
             {
+                int i = order[n];
                 outcomes[i] = Of(mutants[i], worker);
                 if (outcomes[i].Fate is Fate.Survived or Fate.KilledByGolden)
                     Console.WriteLine($"  {mutants[i].File}: {mutants[i].Line}: {mutants[i].Change}{(outcomes[i].Fate == Fate.Survived ? "" : " (golden)")}");

@@ -55,8 +55,7 @@ internal sealed class WorkerProcess(string scratch, string testFolder) : IDispos
         if (Path.GetFileNameWithoutExtension(Environment.ProcessPath) == "dotnet")
             start.ArgumentList.Add(typeof(WorkerProcess).Assembly.Location);
         start.ArgumentList.Add("worker");
-        // every mutant is new code that runs once; samples are the same in every run, and of one thread
-        start.Environment["DOTNET_TieredPGO"] = "0";
+        // samples are the same in every run, and of one thread
         start.Environment["CsCheck_Seed"] = "0N0XIzNsQ0O2";
         start.Environment["CsCheck_Threads"] = "1";
         return Process.Start(start)!;
