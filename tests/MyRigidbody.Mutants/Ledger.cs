@@ -2,24 +2,36 @@ using System.Text.Json;
 
 namespace RigidBodyDynamics.Mutants;
 
-/// <summary>The outcomes of the last whole run, so that after a new test only its survivors have to be asked again.</summary>
-internal sealed class Ledger(string path)
+/// <summary>
+/// What is known of all mutants, so that a run can be broken off and gone on with, and that after a new test only the
+/// survivors have to be asked again.
+/// </summary>
+internal sealed class Ledger
 {
-    /// <summary>What survived the last whole run.</summary>
-    public HashSet<(string, string, string, int)> Survivors =>
-        [.. Read().Where(entry => entry.Fate is Fate.Survived or Fate.KilledByGolden).Select(entry => Key(entry.Mutant))];
+    private readonly string _path;
+    private readonly Dictionary<Mutant, Outcome> _known;
 
-    /// <summary>Whether a mutant is among some outcomes; its place counts within its file, until that is edited.</summary>
-    public static (string, string, string, int) Key(Mutant mutant) => (mutant.File, mutant.Line, mutant.Change, mutant.Start);
-
-    /// <summary>The last whole run, with new outcomes in the place of old ones.</summary>
-    public Outcome[] Renewed(IEnumerable<Outcome> outcomes)
+    public Ledger(string path)
     {
-        Dictionary<(string, string, string, int), Outcome> renewed = outcomes.ToDictionary(outcome => Key(outcome.Mutant));
-        return [.. Read().Select(entry => renewed.GetValueOrDefault(Key(entry.Mutant), entry))];
+        _path = path;
+        Outcome[] written = File.Exists(path) ? JsonSerializer.Deserialize<Outcome[]>(File.ReadAllText(path))! : [];
+        _known = written.ToDictionary(outcome => outcome.Mutant);
     }
 
-    public void Write(IEnumerable<Outcome> outcomes) => File.WriteAllText(path, JsonSerializer.Serialize(outcomes));
+    /// <summary>What has become of a mutant; nothing if it has not been asked about, or its file has changed.</summary>
+    public Fate? this[Mutant mutant] => _known.GetValueOrDefault(mutant)?.Fate;
 
-    private Outcome[] Read() => JsonSerializer.Deserialize<Outcome[]>(File.ReadAllText(path))!;
+    /// <summary>Writes these, and what was known of others.</summary>
+    public void Add(IEnumerable<Outcome> outcomes)
+    {
+        lock (_known)
+        {
+            foreach (Outcome outcome in outcomes)
+                _known[outcome.Mutant] = outcome;
+            File.WriteAllText(_path, JsonSerializer.Serialize(_known.Values));
+        }
+    }
+
+    /// <summary>The outcomes of some mutants, in their order.</summary>
+    public Outcome[] Of(IEnumerable<Mutant> mutants) => [.. mutants.Where(_known.ContainsKey).Select(mutant => _known[mutant])];
 }

@@ -6,12 +6,9 @@ namespace RigidBodyDynamics.Mutants;
 /// </summary>
 internal sealed class Plan(Coverage coverage, Marks marks)
 {
-    // the only ones whose expected value is the program's own output
-    private static readonly string[] Golden =
-    [
-        "RigidBodyDynamics.Tests.FingerprintTests.All_integrators_with_all_effects_come_to_the_same_bits_everywhere",
-        "RigidBodyDynamics.Tests.FingerprintTests.Runs_side_by_side_do_not_disturb_one_another",
-    ];
+    // the only tests whose expected value is the program's own output; the second computes the same number twice
+    private const string Golden = "RigidBodyDynamics.Tests.FingerprintTests.All_integrators_with_all_effects_come_to_the_same_bits_everywhere";
+    private const string Same = "RigidBodyDynamics.Tests.FingerprintTests.Runs_side_by_side_do_not_disturb_one_another";
 
     private const double Longest = 3500;
     private readonly HashSet<int> _once = [.. coverage.Once];
@@ -21,22 +18,19 @@ internal sealed class Plan(Coverage coverage, Marks marks)
     public Batch[] For(Mutant mutant, bool golden)
     {
         // what stands outside all code, or runs when a type is first used, may be felt by any test
-        int? mark = marks.Around(mutant);
-        HashSet<int> near = mark is int only && !_once.Contains(only) ? [only] : [.. marks.Of(mutant.File)];
-        bool everywhere = mark is not int known || _once.Contains(known);
-        IEnumerable<KnownTest> tests = coverage.Tests.Where(test => Golden.Contains(test.Name) == golden);
-        List<KnownTest> reaching = [.. tests.Where(test => everywhere || test.Marks.Any(near.Contains))];
+        bool isFeltEverywhere = marks.Around(mutant) is not int mark || _once.Contains(mark);
+        int around = marks.Around(mutant) ?? -1;
+        IEnumerable<KnownTest> tests = coverage.Tests.Where(test => golden ? test.Name == Golden : test.Name is not (Golden or Same));
+        List<KnownTest> reaching = [.. tests.Where(test => isFeltEverywhere || test.Marks.Contains(around))];
         lock (_noticed)
         {
             reaching = [.. reaching
-                .OrderByDescending(test => test.Marks.Any(near.Contains))
-                .ThenByDescending(test => Math.Min(3, _noticed.GetValueOrDefault(test.Name + mutant.File)) * (test.Milliseconds < 100 ? 1 : 0))
+                .OrderByDescending(test => test.Milliseconds < 100 ? Math.Min(3, _noticed.GetValueOrDefault(test.Name + mutant.File)) : 0)
                 .ThenBy(test => test.Milliseconds * test.Marks.Length)];
         }
 
-        double sum = 0;
-        reaching = [.. reaching.TakeWhile(test => golden || (sum += test.Milliseconds) < Longest)];
-
+        double sum = 0, longest = golden ? double.PositiveInfinity : isFeltEverywhere ? 2 * Longest : Longest;
+        reaching = [.. reaching.TakeWhile(test => (sum += test.Milliseconds) < longest)];
         List<Batch> batches = [];
         for (int from = 0, count = 2; from < reaching.Count; from += count, count *= 2)
             batches.Add(BatchOf(reaching.GetRange(from, Math.Min(count, reaching.Count - from))));

@@ -43,11 +43,13 @@ internal static class Program
         }
 
         first.Dispose();
-        Outcome[] outcomes = new Trial(core, new Plan(coverage, marks), scratch, testFolder, wish.WithoutGolden).Of(mutants);
-        if (wish.IsAgain)
-            outcomes = ledger.Renewed(outcomes);
+        Action<IEnumerable<Outcome>> save = wish.IsWhole ? ledger.Add : _ => { };
+        Outcome[] outcomes = new Trial(core, new Plan(coverage, marks), scratch, testFolder, wish.WithoutGolden, save).Of(mutants);
         if (wish.IsWhole)
-            ledger.Write(outcomes);
+        {
+            ledger.Add(outcomes);
+            outcomes = ledger.Of(all);
+        }
 
         Reasons reasons = Reasons.Read(Path.Combine(root, "tests", "MyRigidbody.Mutants", "reasons.json"));
         string figures = Report.Figures(outcomes), survivors = Report.Survivors(outcomes, reasons);

@@ -3,7 +3,7 @@ using System.Diagnostics;
 namespace RigidBodyDynamics.Mutants;
 
 /// <summary>Judges mutants, two at a time.</summary>
-internal sealed class Trial(CoreCompilation core, Plan plan, string scratch, string testFolder, bool withoutGolden)
+internal sealed class Trial(CoreCompilation core, Plan plan, string scratch, string testFolder, bool withoutGolden, Action<IEnumerable<Outcome>> save)
 {
     private const int Workers = 2;
     private const int SecondsBetweenLines = 15;
@@ -15,13 +15,17 @@ internal sealed class Trial(CoreCompilation core, Plan plan, string scratch, str
         // shuffled, so that what is known on the way is what can be expected of all
         int[] order = [.. Enumerable.Range(0, mutants.Count)];
         new Random(1).Shuffle(order);
-        int next = -1, done = 0;
+        int next = -1;
         Stopwatch watch = Stopwatch.StartNew();
-        using Timer progress = new(
-            _ => Console.WriteLine($"{done} of {mutants.Count} mutants, {outcomes.Count(found => found?.Fate is Fate.Survived or Fate.KilledByGolden)} survive, {watch.Elapsed.TotalMinutes:F1} min"),
-            null,
-            SecondsBetweenLines * 1000,
-            SecondsBetweenLines * 1000);
+        void Tell()
+        {
+            Outcome[] known = [.. outcomes.Where(found => found != null)];
+            save(known);
+            int survive = known.Count(found => found.Fate is Fate.Survived or Fate.KilledByGolden);
+            Console.WriteLine($"{known.Length} of {mutants.Count} mutants, {survive} survive, {watch.Elapsed.TotalMinutes:F1} min");
+        }
+
+        using Timer progress = new(_ => Tell(), null, SecondsBetweenLines * 1000, SecondsBetweenLines * 1000);
         void Work()
         {
             using WorkerProcess worker = new(scratch, testFolder);
@@ -31,7 +35,6 @@ internal sealed class Trial(CoreCompilation core, Plan plan, string scratch, str
                 outcomes[i] = Of(mutants[i], worker);
                 if (outcomes[i].Fate is Fate.Survived or Fate.KilledByGolden)
                     Console.WriteLine($"  {mutants[i].File}: {mutants[i].Line}: {mutants[i].Change}{(outcomes[i].Fate == Fate.Survived ? "" : " (golden)")}");
-                Interlocked.Increment(ref done);
             }
         }
 

@@ -7,11 +7,12 @@ internal sealed record Wish
 {
     public const string Usage =
         """
-        usage: Mutants [--sample N [--seed S]] [--only PATH] [--again] [--without-golden]
+        usage: Mutants [--sample N [--seed S]] [--only PATH] [--go-on | --again] [--without-golden]
           (nothing)         every mutant; writes docs/mutants.md
           --sample N        N of them, drawn by the seed
           --only PATH       those of the files whose path starts so, such as FreeRotation/Orbit
-          --again           the survivors of the last whole run, after tests were added; writes the page
+          --go-on           those that a whole run has not come to; writes the page
+          --again           these, and what survived, after tests were added; writes the page
           --without-golden  does not ask the fingerprint about survivors
         """;
 
@@ -26,6 +27,8 @@ internal sealed record Wish
     public int Seed { get; private init; } = 1;
 
     public string Only { get; private init; } = "";
+
+    public bool IsGoingOn { get; private init; }
 
     public bool IsAgain { get; private init; }
 
@@ -44,6 +47,9 @@ internal sealed record Wish
         {
             switch (arguments)
             {
+                case ["--go-on", ..]:
+                    wish = wish with { IsGoingOn = true };
+                    break;
                 case ["--again", ..]:
                     wish = wish with { IsAgain = true };
                     break;
@@ -69,17 +75,14 @@ internal sealed record Wish
             arguments = arguments[1..];
         }
 
-        return wish.IsAgain && !wish.IsWhole ? null : wish;
+        return (wish.IsAgain || wish.IsGoingOn) && !wish.IsWhole ? null : wish;
     }
 
     /// <summary>The mutants asked for, in the order of the text.</summary>
     public IReadOnlyList<Mutant> Choose(IReadOnlyList<Mutant> all, Ledger ledger)
     {
-        if (IsAgain)
-        {
-            HashSet<(string, string, string, int)> survivors = ledger.Survivors;
-            return [.. all.Where(mutant => survivors.Contains(Ledger.Key(mutant)))];
-        }
+        if (IsAgain || IsGoingOn)
+            return [.. all.Where(mutant => ledger[mutant] is null || (IsAgain && ledger[mutant] is Fate.Survived or Fate.KilledByGolden))];
 
         Mutant[] chosen = [.. all.Where(mutant => mutant.File.StartsWith(Only, StringComparison.Ordinal))];
         if (Sample is not int count || count >= chosen.Length)
