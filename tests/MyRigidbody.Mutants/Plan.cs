@@ -29,7 +29,7 @@ internal sealed class Plan(Coverage coverage, Marks marks)
                 .ThenBy(test => test.Milliseconds * test.Marks.Length)];
         }
 
-        double sum = 0, longest = golden ? double.PositiveInfinity : isFeltEverywhere ? 2 * Longest : Longest;
+        double sum = 0, longest = golden ? double.PositiveInfinity : isFeltEverywhere ? 6 * Longest : Longest;
         reaching = [.. reaching.TakeWhile(test => (sum += test.Milliseconds) < longest)];
         List<Batch> batches = [];
         for (int from = 0, count = 2; from < reaching.Count; from += count, count *= 2)

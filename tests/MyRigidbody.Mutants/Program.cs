@@ -31,37 +31,44 @@ internal static class Program
         IReadOnlyList<Mutant> mutants = wish.Choose(all, ledger);
         Console.WriteLine($"{all.Count} places, {mutants.Count} of them asked for");
 
-        string testFolder = Path.Combine(root, "artifacts", "bin", "MyRigidbody.Tests", "release");
-        Marks marks = new(trees);
-        using WorkerProcess first = new(scratch, testFolder);
-        Coverage coverage = first.Cover(marks.Compile(core));
-        Console.WriteLine($"{coverage.Tests.Length} tests pass in {coverage.Tests.Sum(test => test.Milliseconds) / 1000:F0} s");
-        if (coverage.Failing.Length > 0)
-        {
-            Console.Error.WriteLine("these fail before anything is changed:\n" + string.Join('\n', coverage.Failing));
+        Outcome[]? outcomes = wish.IsPage ? ledger.Of(all) : Judged(root, scratch, core, trees, mutants, wish, ledger);
+        if (outcomes == null)
             return 1;
-        }
 
-        first.Dispose();
-        Action<IEnumerable<Outcome>> save = wish.IsWhole ? ledger.Add : _ => { };
-        Outcome[] outcomes = new Trial(core, new Plan(coverage, marks), scratch, testFolder, wish.WithoutGolden, save).Of(mutants);
-        if (wish.IsWhole)
-        {
-            ledger.Add(outcomes);
-            outcomes = ledger.Of(all);
-        }
-
+        outcomes = wish.IsWhole ? ledger.Of(all) : outcomes;
         Reasons reasons = Reasons.Read(Path.Combine(root, "tests", "MyRigidbody.Mutants", "reasons.json"));
-        string figures = Report.Figures(outcomes), survivors = Report.Survivors(outcomes, reasons);
+        string figures = Report.Figures(outcomes, reasons), survivors = Report.Survivors(outcomes, reasons);
         Console.WriteLine((wish.IsWhole ? "" : survivors + "\n") + figures);
         if (wish.IsWhole)
         {
-            File.WriteAllText(Path.Combine(root, "docs", "mutants.md"), Page.Of(figures, survivors));
+            File.WriteAllText(Path.Combine(root, "docs", "mutants.md"), Page.Of(all.Count, outcomes.Length, figures, survivors));
             foreach (string unused in reasons.Unused)
                 Console.WriteLine("a reason nobody needs: " + unused);
         }
 
-        return Report.Share(outcomes) >= wish.Demanded ? 0 : 1;
+        return Report.Share(outcomes, reasons) >= wish.Demanded ? 0 : 1;
+    }
+
+    // nothing if the tests fail before anything is changed
+    private static Outcome[]? Judged(
+        string root, string scratch, CoreCompilation core, List<SyntaxTree> trees, IReadOnlyList<Mutant> mutants, Wish wish, Ledger ledger)
+    {
+        string testFolder = Path.Combine(root, "artifacts", "bin", "MyRigidbody.Tests", "release");
+        Marks marks = new(trees);
+        Coverage coverage;
+        using (WorkerProcess first = new(scratch, testFolder))
+            coverage = first.Cover(marks.Compile(core));
+        Console.WriteLine($"{coverage.Tests.Length} tests pass in {coverage.Tests.Sum(test => test.Milliseconds) / 1000:F0} s");
+        if (coverage.Failing.Length > 0)
+        {
+            Console.Error.WriteLine("these fail before anything is changed:\n" + string.Join('\n', coverage.Failing));
+            return null;
+        }
+
+        Action<IEnumerable<Outcome>> save = wish.IsWhole ? ledger.Add : _ => { };
+        Outcome[] outcomes = new Trial(core, new Plan(coverage, marks), scratch, testFolder, wish.WithoutGolden, save).Of(mutants);
+        save(outcomes);
+        return outcomes;
     }
 
     private static string Root()

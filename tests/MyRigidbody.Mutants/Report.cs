@@ -5,16 +5,25 @@ namespace RigidBodyDynamics.Mutants;
 /// <summary>Figures and survivors, as a page and as lines.</summary>
 internal static class Report
 {
-    /// <summary>The share of mutants that tests other than the golden ones notice.</summary>
-    public static double Share(IEnumerable<Outcome> outcomes) => Share(Counted(outcomes), IsKilled);
-
-    /// <summary>Mutants that were ones, killed ones, and what else is counted, by folder.</summary>
-    public static string Figures(IReadOnlyCollection<Outcome> outcomes)
+    /// <summary>Of the mutants that are not the same as the original, the share that tests other than the golden one notice.</summary>
+    public static double Share(IEnumerable<Outcome> outcomes, Reasons reasons)
     {
-        StringBuilder table = new("| folder | mutants | killed | of these by a time limit | killed | with the golden hash |\n| --- | ---: | ---: | ---: | ---: | ---: |\n");
+        List<Outcome> others = [.. Counted(outcomes).Where(outcome => IsKilled(outcome) || !reasons.IsSame(outcome.Mutant))];
+        return Share(others.Count(IsKilled), others.Count);
+    }
+
+    /// <summary>What became of the mutants of each folder.</summary>
+    public static string Figures(IReadOnlyCollection<Outcome> outcomes, Reasons reasons)
+    {
+        StringBuilder table = new(
+            """
+            | folder | mutants | killed | of these by a time limit | survive, the same as the original | survive | killed | killed, with the golden hash | killed of those not the same |
+            | --- | ---: | ---: | ---: | ---: | ---: | ---: | ---: | ---: |
+
+            """);
         foreach (IGrouping<string, Outcome> folder in Counted(outcomes).GroupBy(outcome => outcome.Mutant.Folder).OrderBy(group => group.Key, StringComparer.Ordinal))
-            table.Append(Row(folder.Key, [.. folder]));
-        return table.Append(Row("all", [.. Counted(outcomes)])).ToString();
+            table.Append(Row(folder.Key, [.. folder], reasons));
+        return table.Append(Row("all", Counted(outcomes), reasons)).ToString();
     }
 
     /// <summary>The survivors, one a row, by file and in the order of the text.</summary>
@@ -35,11 +44,15 @@ internal static class Report
 
     private static bool IsKilled(Outcome outcome) => outcome.Fate is Fate.Killed or Fate.TimedOut;
 
-    private static double Share(List<Outcome> outcomes, Func<Outcome, bool> counts) => outcomes.Count == 0 ? 1 : (double)outcomes.Count(counts) / outcomes.Count;
+    private static double Share(int count, int all) => all == 0 ? 1 : (double)count / all;
 
-    private static string Row(string name, List<Outcome> outcomes) =>
-        $"| {name} | {outcomes.Count} | {outcomes.Count(IsKilled)} | {outcomes.Count(outcome => outcome.Fate == Fate.TimedOut)} " +
-        $"| {Share(outcomes, IsKilled):P1} | {Share(outcomes, outcome => IsKilled(outcome) || outcome.Fate == Fate.KilledByGolden):P1} |\n";
+    private static string Row(string name, List<Outcome> outcomes, Reasons reasons)
+    {
+        int killed = outcomes.Count(IsKilled), golden = outcomes.Count(outcome => outcome.Fate == Fate.KilledByGolden);
+        int same = outcomes.Count(outcome => !IsKilled(outcome) && reasons.IsSame(outcome.Mutant));
+        return $"| {name} | {outcomes.Count} | {killed} | {outcomes.Count(outcome => outcome.Fate == Fate.TimedOut)} | {same} | {outcomes.Count - killed - same} " +
+            $"| {Share(killed, outcomes.Count):P1} | {Share(killed + golden, outcomes.Count):P1} | {Share(outcomes, reasons):P1} |\n";
+    }
 
     private static string Code(string text) => "`" + text.Replace("|", "\\|", StringComparison.Ordinal) + "`";
 }

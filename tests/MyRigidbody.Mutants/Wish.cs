@@ -7,12 +7,13 @@ internal sealed record Wish
 {
     public const string Usage =
         """
-        usage: Mutants [--sample N [--seed S]] [--only PATH] [--go-on | --again] [--without-golden]
+        usage: Mutants [--sample N [--seed S]] [--only PATH] [--go-on | --again | --page] [--without-golden]
           (nothing)         every mutant; writes docs/mutants.md
           --sample N        N of them, drawn by the seed
           --only PATH       those of the files whose path starts so, such as FreeRotation/Orbit
           --go-on           those that a whole run has not come to; writes the page
           --again           these, and what survived, after tests were added; writes the page
+          --page            none: writes the page again, with reasons that have been added
           --without-golden  does not ask the fingerprint about survivors
         """;
 
@@ -31,6 +32,8 @@ internal sealed record Wish
     public bool IsGoingOn { get; private init; }
 
     public bool IsAgain { get; private init; }
+
+    public bool IsPage { get; private init; }
 
     public bool WithoutGolden { get; private init; }
 
@@ -52,6 +55,9 @@ internal sealed record Wish
                     break;
                 case ["--again", ..]:
                     wish = wish with { IsAgain = true };
+                    break;
+                case ["--page", ..]:
+                    wish = wish with { IsPage = true };
                     break;
                 case ["--without-golden", ..]:
                     wish = wish with { WithoutGolden = true };
@@ -75,7 +81,7 @@ internal sealed record Wish
             arguments = arguments[1..];
         }
 
-        return (wish.IsAgain || wish.IsGoingOn) && !wish.IsWhole ? null : wish;
+        return (wish.IsAgain || wish.IsGoingOn || wish.IsPage) && !wish.IsWhole ? null : wish;
     }
 
     /// <summary>The mutants asked for, in the order of the text.</summary>

@@ -51,6 +51,7 @@ internal sealed class WorkerProcess(string scratch, string testFolder) : IDispos
         {
             RedirectStandardInput = true,
             RedirectStandardOutput = true,
+            RedirectStandardError = true,
         };
         if (Path.GetFileNameWithoutExtension(Environment.ProcessPath) == "dotnet")
             start.ArgumentList.Add(typeof(WorkerProcess).Assembly.Location);
@@ -58,7 +59,10 @@ internal sealed class WorkerProcess(string scratch, string testFolder) : IDispos
         // samples are the same in every run, and of one thread
         start.Environment["CsCheck_Seed"] = "0N0XIzNsQ0O2";
         start.Environment["CsCheck_Threads"] = "1";
-        return Process.Start(start)!;
+        Process process = Process.Start(start)!;
+        // a mutant without an end to its recursion leaves thousands of lines
+        process.BeginErrorReadLine();
+        return process;
     }
 
     private void Stop()
