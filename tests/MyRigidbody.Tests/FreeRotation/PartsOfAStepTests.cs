@@ -14,6 +14,15 @@ public sealed class PartsOfAStepTests
             Assert.That(Step(new Vector3d(1, 1.1, 0.9), h).IsIllConditioned, Is.False, $"{h}");
     }
 
+    [Test]
+    public void Step_after_one_that_needed_parts_is_judged_for_itself()
+    {
+        OrbitStep step = Step(new Vector3d(1.3582009856394497, 1.566076665914653, 0.7841661194265663), 19.744);
+        Assert.That(step.IsIllConditioned, Is.True);
+        step.Set(Shape, 1, 1, 0.1, 0.5);
+        Assert.That(step.IsIllConditioned, Is.False);
+    }
+
     // on the separatrix: the momentum turns over once and stays
     [TestCase(1.3582009856394497, 1.566076665914653, 0.7841661194265663, 19.744)]
     [TestCase(1.7083035966885758, 1.3071546979747501, -0.9857228933767057, 16.0926)]
