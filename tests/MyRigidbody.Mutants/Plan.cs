@@ -6,10 +6,8 @@ namespace RigidBodyDynamics.Mutants;
 /// </summary>
 internal sealed class Plan(Coverage coverage, Marks marks)
 {
-    // the only tests whose expected value is the program's own output; the second computes the same number twice
-    private const string Golden = "RigidBodyDynamics.Tests.FingerprintTests.All_integrators_with_all_effects_come_to_the_same_bits_everywhere";
-    private const string Same = "RigidBodyDynamics.Tests.FingerprintTests.Runs_side_by_side_do_not_disturb_one_another";
-
+    // the only fixture whose expected value is the program's own output
+    private const string Golden = "RigidBodyDynamics.Tests.FingerprintTests";
     private const double Longest = 3500;
     private readonly HashSet<int> _once = [.. coverage.Once];
     private readonly Dictionary<string, int> _noticed = [];
@@ -20,7 +18,7 @@ internal sealed class Plan(Coverage coverage, Marks marks)
         // what stands outside all code, or runs when a type is first used, may be felt by any test
         bool isFeltEverywhere = marks.Around(mutant) is not int mark || _once.Contains(mark);
         int around = marks.Around(mutant) ?? -1;
-        IEnumerable<KnownTest> tests = coverage.Tests.Where(test => golden ? test.Name == Golden : test.Name is not (Golden or Same));
+        IEnumerable<KnownTest> tests = coverage.Tests.Where(test => (test.Fixture == Golden) == golden);
         List<KnownTest> reaching = [.. tests.Where(test => isFeltEverywhere || test.Marks.Contains(around))];
         lock (_noticed)
         {
