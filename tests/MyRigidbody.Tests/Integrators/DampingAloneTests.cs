@@ -26,6 +26,17 @@ public sealed class DampingAloneTests
         Assert.That(Samples.Apart(state.Position, V), Is.LessThan(Bound(integrator))); // measured
     }
 
+    [TestCaseSource(nameof(Integrators))]
+    public void Factor_per_step_on_one_velocity_leaves_the_other(string integrator)
+    {
+        BodyState slower = Scenery.Run(TimeSteps.Every(0.02), Ball(integrator).With(new DecayPerStep(0.98, 1)), 50);
+        BodyState turning = Scenery.Run(TimeSteps.Every(0.02), Ball(integrator).With(new DecayPerStep(1, 0.98)), 50);
+        Assert.That(Samples.Apart(slower.Velocity, Math.Pow(0.98, 50) * V), Is.LessThan(Bound(integrator))); // measured
+        Assert.That(Samples.Apart(slower.AngularVelocity, W), Is.LessThan(Bound(integrator))); // measured
+        Assert.That(Samples.Apart(turning.Velocity, V), Is.LessThan(Bound(integrator))); // measured
+        Assert.That(Samples.Apart(turning.AngularVelocity, Math.Pow(0.98, 50) * W), Is.LessThan(Bound(integrator))); // measured
+    }
+
     // Unity's computes in single precision, Runge and Kutta with an error of the step's fourth power
     private static double Bound(string integrator) => integrator switch
     {
