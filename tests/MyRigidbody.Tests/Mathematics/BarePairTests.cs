@@ -13,8 +13,8 @@ public sealed class BarePairTests
         Vector3d found = PrincipalAxes.Of(new SymmetricMatrix3(Vector3d.Zero, size * place), out Quaterniond frame);
         double[] sorted = [found.X / size, found.Y / size, found.Z / size];
         Array.Sort(sorted);
-        Assert.That(sorted, Is.EqualTo(new double[] { -1, 0, 1 }).Within(4e-16)); // measured
-        Assert.That(frame.Length, Is.EqualTo(1).Within(4e-16)); // measured
+        Assert.That(sorted, Is.EqualTo(new double[] { -1, 0, 1 }).Within(4e-16)); // measured 0
+        Assert.That(frame.Length, Is.EqualTo(1).Within(4e-16)); // measured 0
     }
 
     [Test]
