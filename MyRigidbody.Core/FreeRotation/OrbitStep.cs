@@ -26,9 +26,10 @@ namespace RigidBodyDynamics
 
         public double S;
 
-        // near zero 1 − c has lost c, near one c has lost 1 − c: both are kept
         public double C1;
         public double C3;
+
+        // 1 − c, which c near one has lost; for steps so short that they use it, longer ones leave it behind
         public double V1;
         public double V3;
         public double C;
@@ -116,8 +117,6 @@ namespace RigidBodyDynamics
                     double d = 1 / (c11 + alpha * ss * c33);
                     C1 = (c11 * c33 - delta * ss) * d;
                     C3 = (c11 * c33 + delta * ss) * d;
-                    V1 = 1 - C1;
-                    V3 = 1 - C3;
                     S = 2 * S * c1 * c3 * d;
                 }
 

@@ -66,12 +66,9 @@ namespace RigidBodyDynamics
         public double DeltaOfQ { get; }
 
         /// <summary>The axis to put first so that the middle moment is second.</summary>
-        private static int FirstOf(Vector3d i)
-        {
-            if ((i.X <= i.Y && i.Y <= i.Z) || (i.X >= i.Y && i.Y >= i.Z))
-                return 0;
+        private static int FirstOf(Vector3d i) =>
+            IsBetween(i.X, i.Y, i.Z) ? 0 : IsBetween(i.Y, i.Z, i.X) ? 1 : 2;
 
-            return (i.Y <= i.Z && i.Z <= i.X) || (i.Y >= i.Z && i.Z >= i.X) ? 1 : 2;
-        }
+        private static bool IsBetween(double a, double b, double c) => (a <= b && b <= c) || (a >= b && b >= c);
     }
 }

@@ -50,6 +50,11 @@ internal static class FullMatrix
         return c;
     }
 
+    public static Vector3d Product(double[,] a, Vector3d v) => new(
+        a[0, 0] * v.X + a[0, 1] * v.Y + a[0, 2] * v.Z,
+        a[1, 0] * v.X + a[1, 1] * v.Y + a[1, 2] * v.Z,
+        a[2, 0] * v.X + a[2, 1] * v.Y + a[2, 2] * v.Z);
+
     public static double[,] Transposed(double[,] a)
     {
         double[,] t = new double[3, 3];

@@ -1,0 +1,48 @@
+using NUnit.Framework;
+
+namespace RigidBodyDynamics.Tests;
+
+/// <summary>What a push does not declare to read is not computed for it: it is shown the state of a struct left empty.</summary>
+public sealed class UnreadTests
+{
+    private static readonly BodyState Moving = new(new Vector3d(1, 2, 3), new Quaterniond(0.6, 0, 0.8, 0), new Vector3d(4, 5, 6), new Vector3d(7, 8, 9));
+
+    [Test]
+    public void Composition_shows_poses_and_spins_to_those_alone_that_read_them()
+    {
+        Assert.That(ShownBy<Composition<SphericalTop, Order2>>(PushTraits.Moves).Orientation.LengthSquared, Is.Zero);
+        Assert.That(ShownBy<Composition<SphericalTop, Order2>>(PushTraits.Moves).AngularVelocity.IsZero, Is.True);
+        Assert.That(ShownBy<Composition<SphericalTop, Order2>>(PushTraits.ReadsOrientation).Orientation, Is.EqualTo(Moving.Orientation));
+        Assert.That(ShownBy<Composition<SphericalTop, Order2>>(PushTraits.ReadsPosition).Position, Is.EqualTo(Moving.Position));
+        Assert.That(ShownBy<Composition<SphericalTop, Order2>>(PushTraits.ReadsAngularVelocity).AngularVelocity, Is.EqualTo(Moving.AngularVelocity));
+    }
+
+    [Test]
+    public void Runge_Kutta_shows_states_to_those_alone_that_read_one()
+    {
+        Assert.That(ShownBy<RungeKutta4>(PushTraits.Moves), Is.EqualTo(default(BodyState)));
+        foreach (PushTraits reads in new[] { PushTraits.ReadsPosition, PushTraits.ReadsOrientation, PushTraits.ReadsVelocity, PushTraits.ReadsAngularVelocity })
+            Assert.That(ShownBy<RungeKutta4>(reads).Velocity, Is.EqualTo(Moving.Velocity), reads.ToString());
+    }
+
+    private static BodyState ShownBy<TIntegrator>(PushTraits traits) where TIntegrator : struct, IIntegrator
+    {
+        TIntegrator body = default;
+        body.Start(new BodyDescription("b", Solids.Sphere(1, 1)) { Start = Moving });
+        body.Prepare(0.1, Coasting.Free);
+        Onlooker push = new(traits | PushTraits.Moves);
+        body.Step(new Instant(0, 0), ref push);
+        return push.Seen[0];
+    }
+
+    private readonly struct Onlooker(PushTraits traits) : IPush
+    {
+        public List<BodyState> Seen { get; } = [];
+
+        public PushTraits Traits => traits;
+
+        public void At(in Instant now, in BodyState body, MassProperties mass, ref Wrench wrench) => Seen.Add(body);
+
+        public void Over(in Instant now, double duration, in BodyState body, MassProperties mass, ref Wrench impulse) => Seen.Add(body);
+    }
+}
