@@ -102,6 +102,10 @@ namespace RigidBodyDynamics
             }
         }
 
+        /// <summary>True while a body has been put to sleep.</summary>
+        /// <param name="id">The number that <see cref="Add"/> gave it.</param>
+        public bool IsAsleep(int id) => _crowd.IsAsleep(_places.Of(id));
+
         /// <summary>Adds a body that starts now. Its number is its own until it is removed, and may then be another's.</summary>
         public int Add(in BodyState start)
         {

@@ -18,6 +18,9 @@ namespace RigidBodyDynamics
 
         public abstract BodyState StateOf(int place);
 
+        /// <summary>True while its rule has put a body to sleep; no rule that goes in lanes does.</summary>
+        public virtual bool IsAsleep(int place) => false;
+
         /// <summary>Another stretch begins: nothing is prepared for it.</summary>
         public abstract void Forget();
 

@@ -36,6 +36,8 @@ namespace RigidBodyDynamics
 
         public override BodyState StateOf(int place) => _now[place].State;
 
+        public override bool IsAsleep(int place) => _now[place].IsAsleep;
+
         public override void Forget() => Array.Clear(_preparedFor, 0, _preparedFor.Length);
 
         public override bool HasClosedForm(int place, in Coasting coasting)

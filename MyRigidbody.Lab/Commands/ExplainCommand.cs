@@ -22,25 +22,31 @@ internal static class ExplainCommand
 
     private static int Execute(string path, bool json)
     {
-        Scene scene = SceneReader.Read(path).Scene;
+        SceneFile read = SceneReader.ReadWithCrowds(path);
+        Scene scene = read.Scene;
         Simulation simulation = Overrides.Named(path, () => new Simulation(scene));
+        // many bodies start in many ways, so nothing is left out that one of them may need
+        Simulation together = new(scene, Omissions.Coasting);
 
         // bodies that move alike are explained once
         List<Explained> bodies = [];
         Dictionary<string, Explained> known = [];
-        foreach (Body body in simulation.Bodies)
+        for (int i = 0; i < simulation.Bodies.Count; i++)
         {
+            ManyBodies? crowd = read.Crowds.GetValueOrDefault(simulation.Bodies[i].Name);
+            Body body = crowd is null ? simulation.Bodies[i] : together.Bodies[i];
             Explanation explanation = new(body.Plan);
             string words = explanation.ToString();
             string key = body.Integrator + words[words.IndexOf('\n', StringComparison.Ordinal)..];
+            string name = crowd is null ? body.Name : $"{body.Name} ({crowd.Count} bodies, together)";
             if (known.TryGetValue(key, out Explained? like))
             {
-                like.Names.Add(body.Name);
+                like.Names.Add(name);
                 continue;
             }
 
             bodies.Add(new Explained(body.Plan, explanation));
-            bodies[^1].Names.Add(body.Name);
+            bodies[^1].Names.Add(name);
             known.Add(key, bodies[^1]);
         }
 

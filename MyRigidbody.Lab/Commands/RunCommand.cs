@@ -43,8 +43,9 @@ internal static class RunCommand
             throw new InputException($"--every: must not be below 0, found {every}");
         }
 
-        Scene scene = Overrides.Apply(SceneReader.Read(path).Scene, integrator, step);
-        Simulation simulation = Overrides.Start(path, scene);
+        SceneFile read = SceneReader.ReadWithCrowds(path);
+        Scene scene = Overrides.Apply(read.Scene, integrator, step);
+        Population simulation = Overrides.Named(path, () => new Population(scene, read.Crowds));
         if (output == null)
         {
             using StreamWriter standard = new(Console.OpenStandardOutput(), new UTF8Encoding(false));
@@ -63,17 +64,17 @@ internal static class RunCommand
         return 0;
     }
 
-    private static void Write(Simulation simulation, long every, string path, TextWriter writer)
+    private static void Write(Population simulation, long every, string path, TextWriter writer)
     {
         TrajectoryCsv csv = new(writer);
         csv.WriteHeader();
-        long count = simulation.Scene.Steps.Count;
+        long count = simulation.Steps.Count;
         if (every > 0)
         {
-            csv.WriteRows(simulation);
+            simulation.WriteRows(csv);
         }
 
-        Terminal.WithProgress("run " + simulation.Scene.Name, report =>
+        Terminal.WithProgress("run " + path, report =>
         {
             long next = every == 0 ? count : Math.Min(every, count);
             while (simulation.StepsDone < count)
@@ -82,8 +83,8 @@ internal static class RunCommand
                 report((double)simulation.StepsDone / count);
                 if (simulation.StepsDone == next)
                 {
-                    MustBeFinite(simulation, path);
-                    csv.WriteRows(simulation);
+                    simulation.MustBeFinite(path);
+                    simulation.WriteRows(csv);
                     next = every == 0 || next > count - every ? count : next + every;
                 }
             }

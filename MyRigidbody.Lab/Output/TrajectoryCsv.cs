@@ -20,20 +20,25 @@ internal sealed class TrajectoryCsv(TextWriter writer)
     {
         foreach (Body body in simulation.Bodies)
         {
-            BodyState state = body.State;
-            writer.Write(Quoted(body.Name));
-            writer.Write(',');
-            writer.Write(simulation.StepsDone.ToString(CultureInfo.InvariantCulture));
-            Write(simulation.Time);
-            Write(state.Position);
-            Write(state.Orientation.W);
-            Write(state.Orientation.Vector);
-            Write(state.Velocity);
-            Write(state.AngularVelocity);
-            Write(body.AngularMomentum);
-            Write(body.KineticEnergy);
-            writer.Write(body.IsAsleep ? ",1\n" : ",0\n");
+            WriteRow(body.Name, simulation.StepsDone, simulation.Time, body.State, body.Mass, body.IsAsleep);
         }
+    }
+
+    /// <summary>A row.</summary>
+    public void WriteRow(string body, long step, double time, in BodyState state, MassProperties mass, bool isAsleep)
+    {
+        writer.Write(Quoted(body));
+        writer.Write(',');
+        writer.Write(step.ToString(CultureInfo.InvariantCulture));
+        Write(time);
+        Write(state.Position);
+        Write(state.Orientation.W);
+        Write(state.Orientation.Vector);
+        Write(state.Velocity);
+        Write(state.AngularVelocity);
+        Write(Conserved.AngularMomentum(state, mass));
+        Write(Conserved.KineticEnergy(state, mass));
+        writer.Write(isAsleep ? ",1\n" : ",0\n");
     }
 
     /// <summary>A text as a cell of a table.</summary>

@@ -5,8 +5,8 @@ internal static class BodyReader
 {
     private static readonly string[] LabIntegrators = ["LabEuler", "ExplicitEuler"];
 
-    /// <summary>The body; if it is made of a box's vertices, its solid box is noted by its name.</summary>
-    public static BodyDescription Read(Place place, Dictionary<string, MassProperties> solidBoxes)
+    /// <summary>The body; what it is in numbers, and the solid box of one that is made of vertices, is noted by its name.</summary>
+    public static BodyDescription Read(Place place, Dictionary<string, MassProperties> solidBoxes, Dictionary<string, ManyBodies> crowds)
     {
         Fields fields = place.Fields();
         string name = fields.Required("name").Text();
@@ -35,6 +35,11 @@ internal static class BodyReader
         foreach (Place effect in fields.Optional("effects")?.List("a list of effects") ?? [])
         {
             EffectReader.Read(effect, body);
+        }
+
+        if (ManyBodies.Read(fields, body) is ManyBodies crowd)
+        {
+            crowds[name] = crowd;
         }
 
         fields.End();

@@ -27,7 +27,7 @@ internal static class RecordingReader
         fields.End();
         root.Check(body);
         Scene scene = new(name, about, steps, [body]);
-        return new SceneFile(root.File, scene, new Dictionary<string, MassProperties>(), Recording.Beside(root.File, count));
+        return new SceneFile(root.File, scene, new Dictionary<string, ManyBodies>(), new Dictionary<string, MassProperties>(), Recording.Beside(root.File, count));
     }
 
     private static BodyDescription Body(Fields fields, string name)

@@ -6,8 +6,17 @@ internal static class SceneReader
     /// <summary>The schema of a scene.</summary>
     public const string Schema = "rigid-body-scene/1";
 
+    /// <summary>Reads the file for a command that takes bodies one by one.</summary>
+    public static SceneFile Read(string path)
+    {
+        SceneFile file = ReadWithCrowds(path);
+        return file.Crowds.Count == 0
+            ? file
+            : throw new InputException($"{path}: bodies: only run and explain take a count, and \"{file.Crowds.Keys.First()}\" has one");
+    }
+
     /// <summary>Reads the file; all that can be wrong with it is an <see cref="InputException"/>.</summary>
-    public static SceneFile Read(string path) => JsonFile.Read(path, root =>
+    public static SceneFile ReadWithCrowds(string path) => JsonFile.Read(path, root =>
     {
         Fields fields = root.Fields();
         Place schema = fields.Required("schema");
@@ -24,11 +33,12 @@ internal static class SceneReader
         fields.End();
 
         Dictionary<string, MassProperties> solidBoxes = [];
+        Dictionary<string, ManyBodies> crowds = [];
         List<BodyDescription> bodies = [];
         HashSet<string> names = [];
         foreach (Place place in list.List("a list of bodies"))
         {
-            BodyDescription body = BodyReader.Read(place, solidBoxes);
+            BodyDescription body = BodyReader.Read(place, solidBoxes, crowds);
             if (!names.Add(body.Name))
             {
                 throw place.Wrong($"name: must be unique in the scene, found \"{body.Name}\" again");
@@ -43,7 +53,7 @@ internal static class SceneReader
             throw list.Wrong("must have at least one body");
         }
 
-        return new SceneFile(list.File, new Scene(name, about, steps, bodies), solidBoxes, null);
+        return new SceneFile(list.File, new Scene(name, about, steps, bodies), crowds, solidBoxes, null);
     }
 
     private static TimeSteps Steps(Fields fields)

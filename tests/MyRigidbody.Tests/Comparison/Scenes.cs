@@ -18,6 +18,7 @@ internal static class Scenes
     public static SceneFile FileOf(TimeSteps steps, params BodyDescription[] bodies) => new(
         "scene.json",
         new Scene("scene", string.Empty, steps, bodies),
+        new Dictionary<string, ManyBodies>(),
         new Dictionary<string, MassProperties>(),
         null);
 

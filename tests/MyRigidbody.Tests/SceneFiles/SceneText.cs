@@ -29,7 +29,8 @@ internal static class SceneText
             { "name": "b", "integrator": "UnityRigidbody", "inertia": { "principal": [1, 2, 3], "frame": [1, 1, 0, 0] }, "angularVelocityBody": [1, 2, 3],
               "unity": { "drag": 0.1, "angularDrag": 0.2, "maxAngularVelocity": 9, "sleepThreshold": 0.01, "wakeCounter": 0.2,
                          "gyroscopicForces": true, "precision": "double" } },
-            { "name": "c", "inertia": { "solidSphere": 0.5 } },
+            { "name": "c", "inertia": { "solidSphere": 0.5 }, "count": 3, "seed": 7,
+              "spread": { "position": [1, 2, 3], "orientation": 0.5, "velocity": [1, 1, 1], "angularVelocity": [1, 2, 1] } },
             { "name": "d", "inertia": { "solidBox": [1, 1, 2] } },
             { "name": "e", "inertia": { "points": [[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]], "masses": [1, 2, 3, 4] } }
           ]
@@ -46,7 +47,7 @@ internal static class SceneText
         using TemporaryFolder folder = new();
         string path = folder.File("scene.json");
         File.WriteAllText(path, text);
-        return SceneReader.Read(path);
+        return SceneReader.ReadWithCrowds(path);
     }
 
     /// <summary>What the reader says of a text, without the folder; empty if it accepts it.</summary>

@@ -1,0 +1,73 @@
+using RigidBodyDynamics.Lab.Output;
+
+namespace RigidBodyDynamics.Lab.Commands;
+
+/// <summary>All bodies of a scene: those that stand alone, and those in numbers, which are stepped together.</summary>
+internal sealed class Population
+{
+    private readonly Simulation? _alone;
+    private readonly List<(BodyDescription Body, Batch Batch, BodyState[] States)> _crowds = [];
+
+    public Population(Scene scene, IReadOnlyDictionary<string, ManyBodies> crowds)
+    {
+        Steps = scene.Steps;
+        List<BodyDescription> alone = [.. scene.Bodies.Where(body => !crowds.ContainsKey(body.Name))];
+        _alone = alone.Count > 0 ? new Simulation(new Scene(scene.Name, scene.About, scene.Steps, alone)) : null;
+        foreach (BodyDescription body in scene.Bodies.Where(body => crowds.ContainsKey(body.Name)))
+        {
+            Batch batch = crowds[body.Name].Gather(scene.Steps);
+            _crowds.Add((body, batch, new BodyState[batch.EndOfIds]));
+        }
+    }
+
+    public TimeSteps Steps { get; }
+
+    public long StepsDone { get; private set; }
+
+    public void Step(long count)
+    {
+        _alone?.Step(count);
+        foreach ((_, Batch batch, _) in _crowds)
+        {
+            batch.Step(count);
+        }
+
+        StepsDone += count;
+    }
+
+    /// <summary>A row for every body; those in numbers are called by their name and number.</summary>
+    public void WriteRows(TrajectoryCsv csv)
+    {
+        if (_alone is not null)
+        {
+            csv.WriteRows(_alone);
+        }
+
+        foreach ((BodyDescription body, Batch batch, BodyState[] states) in _crowds)
+        {
+            batch.Read(states);
+            for (int i = 0; i < states.Length; i++)
+            {
+                csv.WriteRow($"{body.Name} {i}", StepsDone, batch.Time, states[i], body.Mass, batch.IsAsleep(i));
+            }
+        }
+    }
+
+    public void MustBeFinite(string path)
+    {
+        if (_alone is not null)
+        {
+            RunCommand.MustBeFinite(_alone, path);
+        }
+
+        foreach ((BodyDescription body, Batch batch, BodyState[] states) in _crowds)
+        {
+            batch.Read(states);
+            int lost = Array.FindIndex(states, state => !state.IsFinite);
+            if (lost >= 0)
+            {
+                throw new FellShortException($"{path}: body {body.Name} {lost}: {body.Integrator} has run away: no finite state after step {StepsDone}");
+            }
+        }
+    }
+}
