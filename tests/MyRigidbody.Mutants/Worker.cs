@@ -15,7 +15,7 @@ internal static class Worker
     private static readonly string[] LeftOut =
     [
         "CommandLine.", "Repository.", "SceneFiles.", "Determinism.", "PageTests", "AdvisorTests", "TruthTests",
-        "StepFreeTests", "AllocationTests",
+        "StepFreeTests", "AllocationTests", "DamagedFileTests",
     ];
 
     public static int Serve()
