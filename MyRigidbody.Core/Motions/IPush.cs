@@ -22,7 +22,8 @@ namespace RigidBodyDynamics
         /// Adds the impulse this effect alone gives in the time that follows, the body held in its place: its exact
         /// flow. Asked by integrators that compose; the duration may be negative. What depends on neither time nor
         /// velocity gives duration × At, and so does what depends on time while <see cref="Instant.IsHeld"/>. The impulse
-        /// comes in with what other pushes gave before in the same time: the velocity is now body.Velocity + impulse / m.
+        /// comes in with what other pushes gave before in the same time: the velocity is now body.Velocity + impulse / m,
+        /// and the angular velocity has followed the torques likewise. <see cref="EffectCheck"/> tries all this.
         /// </summary>
         void Over(in Instant now, double duration, in BodyState body, MassProperties mass, ref Wrench impulse);
     }
@@ -54,5 +55,17 @@ namespace RigidBodyDynamics
 
         /// <summary>Depends on the angular velocity.</summary>
         ReadsAngularVelocity = 64,
+
+        /// <summary>
+        /// Its force and torque are the slope of a potential energy of position and orientation: around a closed way it does no
+        /// work. Reads neither time nor a velocity.
+        /// </summary>
+        HasPotential = 128,
+    }
+
+    internal static class TraitsOfSums
+    {
+        /// <summary>A sum does and reads what any of its parts does and reads; it has a potential if every part has one.</summary>
+        public static PushTraits And(this PushTraits a, PushTraits b) => (a & b) | ((a | b) & ~PushTraits.HasPotential);
     }
 }

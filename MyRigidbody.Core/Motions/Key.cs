@@ -45,7 +45,7 @@ namespace RigidBodyDynamics
             }
         }
 
-        public PushTraits Traits => _key == LabKey.R ? _torque.Traits : PushTraits.Moves;
+        public PushTraits Traits => _key == LabKey.R ? _torque.Traits : PushTraits.Moves | PushTraits.HasPotential;
 
         public void At(in Instant now, in BodyState body, MassProperties mass, ref Wrench wrench)
         {

@@ -12,9 +12,9 @@ namespace RigidBodyDynamics
         public Many(IPush[] pushes)
         {
             _pushes = Guard.NotNull(pushes, nameof(pushes));
-            PushTraits traits = PushTraits.None;
+            PushTraits traits = default(Nothing).Traits;
             for (int i = 0; i < pushes.Length; i++)
-                traits |= (pushes[i] ?? throw new System.ArgumentNullException(nameof(pushes) + "[" + i + "]")).Traits;
+                traits = traits.And((pushes[i] ?? throw new System.ArgumentNullException(nameof(pushes) + "[" + i + "]")).Traits);
 
             Traits = traits;
         }

@@ -22,7 +22,7 @@ namespace RigidBodyDynamics
         }
 
         public PushTraits Traits =>
-            PushTraits.Moves | PushTraits.Turns | PushTraits.ReadsPosition | PushTraits.ReadsOrientation;
+            PushTraits.Moves | PushTraits.Turns | PushTraits.ReadsPosition | PushTraits.ReadsOrientation | PushTraits.HasPotential;
 
         public void At(in Instant now, in BodyState body, MassProperties mass, ref Wrench wrench) =>
             Over(now, 1, body, mass, ref wrench);

@@ -47,7 +47,7 @@ internal static class EffectReader
         place.Make(() => add(new Window(body, from?.Number() ?? 0, to?.Number() ?? double.PositiveInfinity)));
     }
 
-    private static Func<Window, BodyDescription> Push<TPush>(TPush push) where TPush : struct, IPush =>
+    internal static Func<Window, BodyDescription> Push<TPush>(TPush push) where TPush : struct, IPush =>
         window => window.Body.With(push, window.From, window.To);
 
     private static Func<Window, BodyDescription> Coast(ICoast coast) =>
@@ -107,5 +107,5 @@ internal static class EffectReader
     }
 
     /// <summary>To which body an effect is added, and when it acts.</summary>
-    private readonly record struct Window(BodyDescription Body, double From, double To);
+    internal readonly record struct Window(BodyDescription Body, double From, double To);
 }

@@ -81,6 +81,18 @@ public sealed class EffectTests
     }
 
     [Test]
+    public void Sum_has_a_potential_if_every_part_has_one()
+    {
+        Force force = new(new Vector3d(1, -2, 3));
+        Spring spring = new(new Vector3d(1, 0, 0), new Vector3d(0, 1, 0), 2);
+        QuadraticDrag drag = new(0.5);
+        IPush[] with = [default(Nothing), new Both<Both<Nothing, Force>, Spring>(new(default, force), spring), new Many([force, spring])];
+        IPush[] without = [new Both<Force, QuadraticDrag>(force, drag), new Both<QuadraticDrag, Force>(drag, force), new Many([drag, spring])];
+        Assert.That(with.Select(sum => (sum.Traits & PushTraits.HasPotential) != 0), Is.All.True);
+        Assert.That(without.Select(sum => (sum.Traits & PushTraits.HasPotential) != 0), Is.All.False);
+    }
+
+    [Test]
     public void Sum_is_the_sum_of_its_parts_and_declares_what_any_of_them_declares()
     {
         Force force = new(new Vector3d(1, -2, 3));
@@ -90,7 +102,7 @@ public sealed class EffectTests
         IPush[] sums = [new Both<Both<Force, Spring>, QuadraticDrag>(two, drag), new Many([force, spring, drag])];
         foreach (IPush sum in sums)
         {
-            Assert.That(sum.Traits, Is.EqualTo(force.Traits | spring.Traits | drag.Traits));
+            Assert.That(sum.Traits, Is.EqualTo((force.Traits | spring.Traits | drag.Traits) & ~PushTraits.HasPotential));
             Wrench expected = default;
             Wrench impulse = default;
             foreach (IPush part in new IPush[] { force, spring, drag })
