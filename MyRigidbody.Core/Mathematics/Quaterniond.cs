@@ -55,19 +55,19 @@ namespace RigidBodyDynamics
         }
 
         /// <summary>The vector part (x, y, z).</summary>
-        public Vector3d Vector => new Vector3d(X, Y, Z);
+        public Vector3d Vector { [MethodImpl(MethodImplOptions.AggressiveInlining)] get => new Vector3d(X, Y, Z); }
 
         /// <summary>True if no component is infinite or NaN.</summary>
         public bool IsFinite => Guard.IsFinite(W) && Vector.IsFinite;
 
         /// <summary>w² + x² + y² + z².</summary>
-        public double LengthSquared => W * W + X * X + Y * Y + Z * Z;
+        public double LengthSquared { [MethodImpl(MethodImplOptions.AggressiveInlining)] get => W * W + X * X + Y * Y + Z * Z; }
 
         /// <summary>The length.</summary>
-        public double Length => Math.Sqrt(LengthSquared);
+        public double Length { [MethodImpl(MethodImplOptions.AggressiveInlining)] get => Math.Sqrt(LengthSquared); }
 
         /// <summary>q*: the opposite turn, if the length is 1.</summary>
-        public Quaterniond Conjugate => new Quaterniond(W, -X, -Y, -Z);
+        public Quaterniond Conjugate { [MethodImpl(MethodImplOptions.AggressiveInlining)] get => new Quaterniond(W, -X, -Y, -Z); }
 
         /// <summary>The quaternion of length 1 in the same direction.</summary>
         public Quaterniond Normalized

@@ -30,16 +30,16 @@ namespace RigidBodyDynamics
         public static Vector3d Zero => new Vector3d(0, 0, 0);
 
         /// <summary>True if every component is zero, of either sign.</summary>
-        public bool IsZero => X == 0 && Y == 0 && Z == 0;
+        public bool IsZero { [MethodImpl(MethodImplOptions.AggressiveInlining)] get => X == 0 && Y == 0 && Z == 0; }
 
         /// <summary>True if no component is infinite or NaN.</summary>
         public bool IsFinite => Guard.IsFinite(X) && Guard.IsFinite(Y) && Guard.IsFinite(Z);
 
         /// <summary>x² + y² + z².</summary>
-        public double LengthSquared => Dot(this, this);
+        public double LengthSquared { [MethodImpl(MethodImplOptions.AggressiveInlining)] get => Dot(this, this); }
 
         /// <summary>The length. Over- and underflows where its square does.</summary>
-        public double Length => Math.Sqrt(LengthSquared);
+        public double Length { [MethodImpl(MethodImplOptions.AggressiveInlining)] get => Math.Sqrt(LengthSquared); }
 
         /// <summary>Sum, component by component.</summary>
         [MethodImpl(MethodImplOptions.AggressiveInlining)]

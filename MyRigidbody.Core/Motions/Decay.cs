@@ -1,4 +1,5 @@
 using System;
+using System.Runtime.CompilerServices;
 
 namespace RigidBodyDynamics
 {
@@ -33,6 +34,7 @@ namespace RigidBodyDynamics
         }
 
         /// <summary>What is left of a vector.</summary>
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
         public Vector3d Of(Vector3d v)
         {
             Vector3d left = Math.Abs(_lost) < 0.5 ? v - _lost * v : _left * v;
@@ -40,14 +42,17 @@ namespace RigidBodyDynamics
         }
 
         /// <summary>What is left of a vector by a factor alone.</summary>
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
         public static Vector3d By(double factor, Vector3d v) => factor == 1 ? factor * v : Rest(factor * v);
 
         /// <summary>
         /// A number that has decayed to less than 1e-290 is zero, of its sign: what comes after that, numbers with ever fewer
         /// digits, costs a processor ten times as much and never ends.
         /// </summary>
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
         private static double Rest(double x) => Math.Abs(x) < Least ? 0 * x : x;
 
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
         private static Vector3d Rest(Vector3d v) => new Vector3d(Rest(v.X), Rest(v.Y), Rest(v.Z));
     }
 }

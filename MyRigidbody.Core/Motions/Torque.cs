@@ -1,4 +1,5 @@
 using System.Globalization;
+using System.Runtime.CompilerServices;
 
 namespace RigidBodyDynamics
 {
@@ -33,9 +34,12 @@ namespace RigidBodyDynamics
 
         public PushTraits Traits => _swings ? PushTraits.Turns | PushTraits.ReadsTime : PushTraits.Turns;
 
+        // a sine is long, and the step around it is compiled well only while it is short
+        [MethodImpl(MethodImplOptions.NoInlining)]
         public void At(in Instant now, in BodyState body, MassProperties mass, ref Wrench wrench) =>
             Add(Mean(now.Time, 0), ref wrench);
 
+        [MethodImpl(MethodImplOptions.NoInlining)]
         public void Over(in Instant now, double duration, in BodyState body, MassProperties mass, ref Wrench impulse) =>
             Add(duration * Mean(now.Time, now.IsHeld ? 0 : duration), ref impulse);
 
@@ -57,7 +61,7 @@ namespace RigidBodyDynamics
                 return _constant;
 
             double z = 0.5 * _rate * duration;
-            double spread = Spread(z);
+            double spread = duration == 0 ? 1 : Spread(z);
             Elementary.SinCos(_rate * (time + 0.5 * duration), out double sin, out double cos);
             return _constant + spread * (sin * _sine + cos * _cosine);
         }

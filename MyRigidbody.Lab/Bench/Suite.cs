@@ -11,7 +11,7 @@ internal static class Suite
     /// <summary>The lab's step by the library and written out by hand.</summary>
     public static IReadOnlyList<Measurement> ByHand()
     {
-        Vector3d gravity = new(0, -9.81, 0), force = new(5, 0, 0);
+        Vector3d gravity = new(0, -9.81, 0), force = new(5, 1, 2);
         BodyDescription cube = Body("LabEuler", new Vector3d(0.5, 0.5, 0.5))
             .With(new Gravity(gravity)).With(new DecayPerStep(0.98, 0.98)).With(new Force(force)).With(new Key(LabKey.R));
         return
