@@ -23,7 +23,7 @@ namespace RigidBodyDynamics
         /// flow. Asked by integrators that compose; the duration may be negative. What depends on neither time nor
         /// velocity gives duration × At, and so does what depends on time while <see cref="Instant.IsHeld"/>. The impulse
         /// comes in with what other pushes gave before in the same time: the velocity is now body.Velocity + impulse / m,
-        /// and the angular velocity has followed the torques likewise. <see cref="EffectCheck"/> tries all this.
+        /// and the angular velocity has followed the torques likewise. EffectCheck, beside the command line, tries all this.
         /// </summary>
         void Over(in Instant now, double duration, in BodyState body, MassProperties mass, ref Wrench impulse);
     }

@@ -1,3 +1,4 @@
+using RigidBodyDynamics.Lab;
 using System.Globalization;
 using NUnit.Framework;
 
