@@ -1,0 +1,64 @@
+namespace RigidBodyDynamics
+{
+    /// <summary>Which of the lab's keys a program finds held, set between steps. Keep it to change it.</summary>
+    public sealed class Keyboard
+    {
+        private readonly bool[] _held = new bool[HeldKeys.Count];
+
+        /// <summary>True while a key is held.</summary>
+        public bool this[LabKey key]
+        {
+            get => _held[Checked(key)];
+            set => _held[Checked(key)] = value;
+        }
+
+        internal bool Holds(int key) => _held[key];
+
+        private static int Checked(LabKey key) =>
+            key >= 0 && (int)key < HeldKeys.Count ? (int)key : throw Guard.Refused(nameof(key), key, "must be one of the lab's keys");
+    }
+
+    /// <summary>The effect of a <see cref="Keyboard"/>: <c>body.With(new HeldKeys(keyboard))</c>.</summary>
+    public readonly struct HeldKeys : IPush
+    {
+        internal const int Count = (int)LabKey.R + 1;
+        private static readonly Key[] Keys = MakeKeys();
+        private readonly Keyboard _keyboard;
+
+        /// <summary>The effect of the keys that are held.</summary>
+        public HeldKeys(Keyboard keyboard) => _keyboard = Guard.NotNull(keyboard, nameof(keyboard));
+
+        public PushTraits Traits => PushTraits.Moves | PushTraits.Turns | PushTraits.ReadsTime;
+
+        public void At(in Instant now, in BodyState body, MassProperties mass, ref Wrench wrench)
+        {
+            // default(HeldKeys) is nobody's
+            for (int key = 0; key < Count && _keyboard != null; key++)
+            {
+                if (_keyboard.Holds(key))
+                    Keys[key].At(now, body, mass, ref wrench);
+            }
+        }
+
+        public void Over(in Instant now, double duration, in BodyState body, MassProperties mass, ref Wrench impulse)
+        {
+            for (int key = 0; key < Count && _keyboard != null; key++)
+            {
+                if (_keyboard.Holds(key))
+                    Keys[key].Over(now, duration, body, mass, ref impulse);
+            }
+        }
+
+        /// <summary>In words.</summary>
+        public override string ToString() => "keys held on the keyboard";
+
+        private static Key[] MakeKeys()
+        {
+            Key[] keys = new Key[Count];
+            for (int key = 0; key < Count; key++)
+                keys[key] = new Key((LabKey)key);
+
+            return keys;
+        }
+    }
+}

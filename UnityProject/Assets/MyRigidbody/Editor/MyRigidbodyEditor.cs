@@ -1,0 +1,49 @@
+using System;
+using System.Linq;
+using UnityEditor;
+using UnityEngine;
+
+namespace RigidBodyDynamics.Scripts.Editing
+{
+    /// <summary>The inspector of a MyRigidbody: the catalogue as a menu, what stands in the way, and what the motion consists of.</summary>
+    [CustomEditor(typeof(MyRigidbody))]
+    [CanEditMultipleObjects]
+    public sealed class MyRigidbodyEditor : Editor
+    {
+        private static readonly string[] Names = Catalogue.Rows.Select(row => row.Name).ToArray();
+
+        /// <summary>Draws it.</summary>
+        public override void OnInspectorGUI()
+        {
+            serializedObject.Update();
+            SerializedProperty property = serializedObject.GetIterator();
+            for (bool enters = true; property.NextVisible(enters); enters = false)
+            {
+                if (property.name == "integrator")
+                    Menu(property);
+                else if (property.name != "m_Script")
+                    EditorGUILayout.PropertyField(property, true);
+            }
+
+            serializedObject.ApplyModifiedProperties();
+            MyRigidbody body = (MyRigidbody)target;
+            if (body.GetComponent<Rigidbody>() != null)
+                EditorGUILayout.HelpBox("MyRigidbody and Rigidbody would both move this object; remove one of them.\n同一物体上不能同时有 MyRigidbody 和 Rigidbody，请删去一个。", MessageType.Error);
+
+            if (Application.isPlaying && body.IsReady)
+                EditorGUILayout.HelpBox(body.Explain(), MessageType.Info);
+        }
+
+        private static void Menu(SerializedProperty integrator)
+        {
+            int now = Array.IndexOf(Names, integrator.stringValue);
+            EditorGUI.BeginChangeCheck();
+            int chosen = EditorGUILayout.Popup(new GUIContent(integrator.displayName, integrator.tooltip), now, Names);
+            if (EditorGUI.EndChangeCheck() && chosen >= 0)
+                integrator.stringValue = Names[chosen];
+
+            if (now >= 0)
+                EditorGUILayout.HelpBox(Catalogue.Rows[now].About, MessageType.None);
+        }
+    }
+}

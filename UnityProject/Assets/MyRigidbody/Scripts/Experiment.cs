@@ -1,0 +1,153 @@
+using System.Collections.Generic;
+using System.Globalization;
+using System.IO;
+using UnityEngine;
+using UnityEngine.SceneManagement;
+
+namespace RigidBodyDynamics.Scripts
+{
+    /// <summary>Holds the bodies of the scene together: pause, one step, slow motion, start again, record.</summary>
+    [DisallowMultipleComponent]
+    [AddComponentMenu("MyRigidbody/Experiment")]
+    public sealed class Experiment : MonoBehaviour
+    {
+        private const float Slow = 0.1f;
+        private readonly List<MyRigidbody> _mine = new List<MyRigidbody>();
+        private readonly List<DefaultRigidbody> _theirs = new List<DefaultRigidbody>();
+        private bool _isPaused, _isSlow;
+
+        /// <summary>The bodies moved by the library, in the order of the scene's hierarchy.</summary>
+        public IReadOnlyList<MyRigidbody> Mine => _mine;
+
+        /// <summary>The bodies moved by the engine, in the order of the scene's hierarchy.</summary>
+        public IReadOnlyList<DefaultRigidbody> Theirs => _theirs;
+
+        /// <summary>Fixed steps since the start.</summary>
+        public int Steps { get; private set; }
+
+        /// <summary>Time since the start, s.</summary>
+        public double Seconds => Steps * ToUnity.Meant(Time.fixedDeltaTime);
+
+        /// <summary>True while nothing moves.</summary>
+        public bool IsPaused
+        {
+            get => _isPaused;
+            set
+            {
+                _isPaused = value;
+                SetTimeScale();
+            }
+        }
+
+        /// <summary>True while all runs at a tenth of its speed: the same steps, a tenth as often.</summary>
+        public bool IsSlow
+        {
+            get => _isSlow;
+            set
+            {
+                _isSlow = value;
+                SetTimeScale();
+            }
+        }
+
+        /// <summary>True while the engine's bodies are recorded.</summary>
+        public bool IsRecording => _theirs.Exists(body => body.Recording != null);
+
+        /// <summary>Where the last recording was written.</summary>
+        public string LastRecording { get; private set; }
+
+        private void Awake()
+        {
+            foreach (GameObject root in SceneManager.GetActiveScene().GetRootGameObjects())
+            {
+                _mine.AddRange(root.GetComponentsInChildren<MyRigidbody>());
+                _theirs.AddRange(root.GetComponentsInChildren<DefaultRigidbody>());
+            }
+        }
+
+        private void FixedUpdate() => Steps++;
+
+        private void OnDisable() => Time.timeScale = 1;
+
+        private void OnApplicationFocus(bool hasFocus)
+        {
+            if (!hasFocus)
+                LabInput.LetGo();
+        }
+
+        /// <summary>One fixed step of all bodies, those of the engine too; pauses before it.</summary>
+        public void StepOnce()
+        {
+            IsPaused = true;
+            foreach (MyRigidbody body in _mine)
+            {
+                if (body.isActiveAndEnabled)
+                    body.Step();
+            }
+
+            foreach (DefaultRigidbody body in _theirs)
+            {
+                if (body.isActiveAndEnabled)
+                    body.Step();
+            }
+
+            EngineVersions.StepPhysics();
+            Steps++;
+        }
+
+        /// <summary>All bodies back to their starts, with their settings as they now are.</summary>
+        public void StartAgain()
+        {
+            foreach (MyRigidbody body in _mine)
+                body.StartAgain();
+
+            foreach (DefaultRigidbody body in _theirs)
+                body.StartAgain();
+
+            Steps = 0;
+        }
+
+        /// <summary>Starts again and records the engine's bodies from there.</summary>
+        public void Record()
+        {
+            StartAgain();
+            string now = System.DateTime.Now.ToString("yyyyMMdd-HHmmss", CultureInfo.InvariantCulture);
+            foreach (DefaultRigidbody body in _theirs)
+                body.Record(FileName(body.name) + "-" + now);
+        }
+
+        /// <summary>Ends the recordings and writes them; the console and <see cref="LastRecording"/> say where.</summary>
+        public void EndRecording() => EndRecording(Path.Combine(Application.persistentDataPath, "recordings"));
+
+        /// <summary>Ends the recordings and writes them into a folder.</summary>
+        public void EndRecording(string folder)
+        {
+            foreach (DefaultRigidbody body in _theirs)
+            {
+                Recording recording = body.EndRecording();
+                if (recording == null || recording.Steps == 0)
+                    continue;
+
+                try
+                {
+                    LastRecording = recording.Write(folder);
+                    Debug.Log("recorded: " + LastRecording, this);
+                }
+                catch (System.Exception refused) when (refused is IOException || refused is System.UnauthorizedAccessException)
+                {
+                    Debug.LogError("The recording could not be written: " + refused.Message, this);
+                }
+            }
+        }
+
+        private void SetTimeScale() => Time.timeScale = _isPaused ? 0 : _isSlow ? Slow : 1;
+
+        private static string FileName(string name)
+        {
+            foreach (char c in Path.GetInvalidFileNameChars())
+                name = name.Replace(c, '_');
+
+            return name.Replace(' ', '-');
+        }
+    }
+}

@@ -1,0 +1,77 @@
+using System;
+using UnityEngine;
+
+namespace RigidBodyDynamics.Scripts
+{
+    /// <summary>
+    /// Which of the lab's keys are held: on the keyboard, by Unity's Input where the project has it, else by the events of
+    /// the immediate-mode GUI; or on the buttons of the panel.
+    /// </summary>
+    public static class LabInput
+    {
+#if ENABLE_LEGACY_INPUT_MANAGER || !UNITY_2019_3_OR_NEWER
+        private static readonly KeyCode[] Codes =
+            { KeyCode.LeftArrow, KeyCode.RightArrow, KeyCode.UpArrow, KeyCode.DownArrow, KeyCode.R };
+#endif
+        private static readonly bool[] InEvents = new bool[5];
+        private static readonly bool[] OnScreen = new bool[5];
+
+        /// <summary>True while a key is held in whatever way.</summary>
+        public static bool IsHeld(LabKey key) => OnScreen[(int)key] || InEvents[(int)key] || IsDown((int)key);
+
+        /// <summary>Says whether a button of the panel is held.</summary>
+        public static void HoldOnScreen(LabKey key, bool isHeld) => OnScreen[(int)key] = isHeld;
+
+        /// <summary>Nothing is held any more: the window has lost the keyboard, and will not hear the keys go up.</summary>
+        public static void LetGo()
+        {
+            Array.Clear(InEvents, 0, InEvents.Length);
+            Array.Clear(OnScreen, 0, OnScreen.Length);
+        }
+
+#if ENABLE_LEGACY_INPUT_MANAGER || !UNITY_2019_3_OR_NEWER
+        private static bool IsDown(int key) => Input.GetKey(Codes[key]);
+#else
+        private static bool IsDown(int key) => false;
+
+        // the project has no Input: an object of our own listens to the events that every OnGUI is given
+        [RuntimeInitializeOnLoadMethod]
+        private static void Listen()
+        {
+            GameObject listener = new GameObject("Keys of the lab") { hideFlags = HideFlags.HideInHierarchy };
+            listener.AddComponent<KeyListener>();
+            UnityEngine.Object.DontDestroyOnLoad(listener);
+        }
+
+        private static int KeyOf(KeyCode code)
+        {
+            switch (code)
+            {
+                case KeyCode.LeftArrow: return (int)LabKey.LeftArrow;
+                case KeyCode.RightArrow: return (int)LabKey.RightArrow;
+                case KeyCode.UpArrow: return (int)LabKey.UpArrow;
+                case KeyCode.DownArrow: return (int)LabKey.DownArrow;
+                case KeyCode.R: return (int)LabKey.R;
+                default: return -1;
+            }
+        }
+
+        /// <summary>Hears keys go down and up.</summary>
+        private sealed class KeyListener : MonoBehaviour
+        {
+            private void OnGUI()
+            {
+                int key = KeyOf(Event.current.keyCode);
+                if (key >= 0 && (Event.current.type == EventType.KeyDown || Event.current.type == EventType.KeyUp))
+                    InEvents[key] = Event.current.type == EventType.KeyDown;
+            }
+
+            private void OnApplicationFocus(bool hasFocus)
+            {
+                if (!hasFocus)
+                    LetGo();
+            }
+        }
+#endif
+    }
+}

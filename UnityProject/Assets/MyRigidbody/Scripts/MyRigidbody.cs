@@ -1,0 +1,186 @@
+using System;
+using UnityEngine;
+
+namespace RigidBodyDynamics.Scripts
+{
+    /// <summary>
+    /// Moves its object as a rigid body: in every fixed step it asks which keys are held, lets the library take one step,
+    /// and puts the object where the library says. The physics is in the library; for the lab's rule, in LabEuler.cs.
+    /// </summary>
+    [DisallowMultipleComponent]
+    [AddComponentMenu("MyRigidbody/MyRigidbody")]
+    public sealed class MyRigidbody : MonoBehaviour
+    {
+        [Header("Body 物体")]
+        [Tooltip("Mass in kg, above zero.\n质量，单位千克，必须大于零。")]
+        public double mass = 1;
+
+        [Tooltip("Lab Vertices: an eighth of the mass in each corner of the box, as in the lab. Solid Box: filled evenly, as Unity counts; a third of it. Mesh Vertices: the lab's sum over the object's own mesh.\n实验：八个顶点各占八分之一质量；实心长方体：与 Unity 相同，是前者的三分之一；网格：对自身网格的顶点求和。")]
+        public InertiaKind inertia = InertiaKind.LabVertices;
+
+        [Tooltip("Velocity at the start, m/s, world axes.\n初速度，米每秒，世界坐标。")]
+        public Vector3 startVelocity;
+
+        [Tooltip("Angular velocity at the start, rad/s, world axes.\n初角速度，弧度每秒，世界坐标。")]
+        public Vector3 startSpin;
+
+        [Header("Rule 方法")]
+        [Tooltip("By which rule the body moves: a name of the catalogue. LabEuler is the lab's five steps, Exact turns a free body without error.\n积分方法的名称。LabEuler 为实验的五个步骤，Exact 对自由转动没有误差。")]
+        public string integrator = "LabEuler";
+
+        [Header("Damping 阻尼")]
+        [Tooltip("Factor Per Step: v and ω times a factor in every step, as in the lab; depends on the step. Rate: exp(-c Δt), the same at every step. None: no damping.\n每步系数：每一步 v、ω 乘以系数（与步长有关）；速率：exp(-c Δt)，与步长无关；无：没有阻尼。")]
+        public DampingKind damping = DampingKind.FactorPerStep;
+
+        [Tooltip("What is left of the velocity after a step, 0 to 1. Used by Factor Per Step.\n每一步后速度所剩的比例，0 到 1。")]
+        public double linearDecay = 0.98;
+
+        [Tooltip("What is left of the angular velocity after a step, 0 to 1. Used by Factor Per Step.\n每一步后角速度所剩的比例，0 到 1。")]
+        public double angularDecay = 0.98;
+
+        [Tooltip("c of the velocity, 1/s. Used by Rate. 1.01 is 0.98 a step at 0.02 s.\n速度的阻尼率 c，每秒。步长 0.02 秒时 1.01 相当于每步 0.98。")]
+        public double linearRate = 1.01;
+
+        [Tooltip("c of the angular velocity, 1/s. Used by Rate.\n角速度的阻尼率 c，每秒。")]
+        public double angularRate = 1.01;
+
+        [Header("What acts 作用")]
+        [Tooltip("Gravity as in the project's physics settings. The lab has none.\n项目物理设置中的重力。实验中没有重力。")]
+        public bool useGravity;
+
+        [Tooltip("Arrows push with 5 N, R turns with (sin t, sin t, sin t) N m.\n方向键施加 5 牛的力，R 键施加力矩 (sin t, sin t, sin t) 牛米。")]
+        public bool readsKeys = true;
+
+        [Tooltip("The Rigidbody that this body is compared with; may be empty.\n与之比较的 Rigidbody，可为空。")]
+        public DefaultRigidbody comparedWith;
+
+        private readonly Keyboard _keyboard = new Keyboard();
+        private Simulation _simulation;
+        private Vector3 _startPosition;
+        private Quaternion _startRotation;
+        private float _stepLength;
+        private bool _isChanged;
+
+        /// <summary>What the body is and what acts on it, as the library was told.</summary>
+        public BodyDescription Description { get; private set; }
+
+        /// <summary>The body in motion.</summary>
+        public Body Body => _simulation.Bodies[0];
+
+        /// <summary>Where it is and how it moves, in double.</summary>
+        public BodyState State => Body.State;
+
+        /// <summary>False where the settings make no body; the console says why.</summary>
+        public bool IsReady => _simulation != null;
+
+        /// <summary>The keys that were held in the last step.</summary>
+        public Keyboard Keyboard => _keyboard;
+
+        /// <summary>The simulation, to save and restore it.</summary>
+        internal Simulation Simulation => _simulation;
+
+        private void Awake()
+        {
+            _startPosition = transform.position;
+            _startRotation = transform.rotation;
+            StartAgain();
+        }
+
+        private void OnEnable()
+        {
+            if (GetComponent<Rigidbody>() != null)
+                Refuse("MyRigidbody and Rigidbody would both move '" + name + "'; remove one of them.");
+        }
+
+        // Unity calls this once in every fixed step, 50 times a second whatever the frame rate. Update would be called once
+        // a frame, and the motion would depend on the machine.
+        private void FixedUpdate() => Step();
+
+        // Unity calls this when a value is changed in the inspector
+        private void OnValidate() => _isChanged = true;
+
+        /// <summary>One step: keys in, pose out.</summary>
+        public void Step()
+        {
+            if (_isChanged || Time.fixedDeltaTime != _stepLength)
+                Build(IsReady ? State : StartState());
+
+            if (!IsReady)
+                return;
+
+            for (LabKey key = LabKey.LeftArrow; key <= LabKey.R; key++)
+                _keyboard[key] = readsKeys && LabInput.IsHeld(key);
+
+            _simulation.Step();
+            Show();
+        }
+
+        /// <summary>Back to the pose and velocity of the start; t counts from 0 again.</summary>
+        public void StartAgain()
+        {
+            Build(StartState());
+            Show();
+        }
+
+        /// <summary>What its motion consists of, what was left out and why: made of the plan that runs.</summary>
+        public string Explain() => IsReady ? new Explanation(Body.Plan).ToString() : string.Empty;
+
+        private BodyState StartState() =>
+            new BodyState(_startPosition.Double(), _startRotation.Double(), startVelocity.Double(), startSpin.Double());
+
+        private void Build(BodyState start)
+        {
+            _isChanged = false;
+            _stepLength = Time.fixedDeltaTime;
+            try
+            {
+                Description = Describe(start);
+                _simulation = new Simulation(TimeSteps.Every(ToUnity.Meant(_stepLength)), Description);
+            }
+            catch (ArgumentException wrong)
+            {
+                Refuse("MyRigidbody on '" + name + "': " + wrong.Message);
+            }
+        }
+
+        private BodyDescription Describe(BodyState start)
+        {
+            BodyDescription body = new BodyDescription(name, InertiaOf.Object(this, mass, inertia)) { Integrator = integrator, Start = start };
+            if (useGravity)
+                body.With(new Gravity(Physics.gravity.Double()));
+
+            if (damping == DampingKind.FactorPerStep)
+                body.With(new DecayPerStep(linearDecay, angularDecay));
+            else if (damping == DampingKind.Rate)
+                body.With(new LinearDamping(linearRate)).With(new AngularDamping(angularRate));
+
+            return readsKeys ? body.With(new HeldKeys(_keyboard)) : body;
+        }
+
+        private void Refuse(string why)
+        {
+            _simulation = null;
+            enabled = false;
+            Debug.LogError(why, this);
+        }
+
+        private void Show()
+        {
+            if (IsReady)
+                transform.SetPositionAndRotation(State.Position.Float(), State.Orientation.Float());
+        }
+    }
+
+    /// <summary>How a body's motion dies away.</summary>
+    public enum DampingKind
+    {
+        /// <summary>Times a factor in every step: the lab's.</summary>
+        FactorPerStep,
+
+        /// <summary>exp(−c Δt): the same motion whatever the step.</summary>
+        Rate,
+
+        /// <summary>Not at all.</summary>
+        None,
+    }
+}

@@ -1,0 +1,196 @@
+using System;
+using System.Collections.Generic;
+using System.Globalization;
+using UnityEngine;
+
+namespace RigidBodyDynamics.Scripts
+{
+    /// <summary>The panel over the scene: what the bodies do, what their rules cost and are worth, and the switches.</summary>
+    [RequireComponent(typeof(Experiment))]
+    [AddComponentMenu("MyRigidbody/Panel")]
+    public sealed class Panel : MonoBehaviour
+    {
+        private const float Width = 250, NameWidth = 110, Margin = 8, DesignHeight = 720, SecondsPerTiming = 0.5f;
+        private static readonly string[] KeyNames = { "←", "→", "↑", "↓", "R" };
+        private readonly List<Yardstick> _yardsticks = new List<Yardstick>();
+        private Experiment _experiment;
+        private MyRigidbody _choosing;
+        private Vector2 _scroll;
+        private float _nextTiming;
+
+        private void Start()
+        {
+            _experiment = GetComponent<Experiment>();
+            foreach (MyRigidbody body in _experiment.Mine)
+                _yardsticks.Add(new Yardstick(body));
+        }
+
+        private void Update()
+        {
+            foreach (Yardstick yardstick in _yardsticks)
+                yardstick.Follow();
+
+            if (Time.unscaledTime < _nextTiming)
+                return;
+
+            _nextTiming = Time.unscaledTime + SecondsPerTiming;
+            foreach (Yardstick yardstick in _yardsticks)
+                yardstick.TakeTime();
+        }
+
+        private void OnGUI()
+        {
+            // the same size on every screen
+            float scale = Mathf.Max(1, Screen.height / DesignHeight);
+            GUI.matrix = Matrix4x4.Scale(new Vector3(scale, scale, 1));
+            GUILayout.BeginArea(new Rect(Margin, Margin, Width, Screen.height / scale - 2 * Margin), GUI.skin.box);
+            _scroll = GUILayout.BeginScrollView(_scroll);
+            Row("time 时间", Text(_experiment.Seconds, "0.00") + " s");
+            Keys();
+            Switches();
+            for (int i = 0; i < _yardsticks.Count; i++)
+                About(_experiment.Mine[i], _yardsticks[i]);
+
+            foreach (DefaultRigidbody body in _experiment.Theirs)
+                About(body);
+
+            GUILayout.EndScrollView();
+            GUILayout.EndArea();
+        }
+
+        private void Keys()
+        {
+            GUILayout.BeginHorizontal();
+            for (LabKey key = LabKey.LeftArrow; key <= LabKey.R; key++)
+            {
+                GUI.color = LabInput.IsHeld(key) ? Color.yellow : Color.white;
+                bool isHeld = GUILayout.RepeatButton(KeyNames[(int)key]);
+                // only while it is painted does a repeat button say whether it is held
+                if (Event.current.type == EventType.Repaint)
+                    LabInput.HoldOnScreen(key, isHeld);
+            }
+
+            GUI.color = Color.white;
+            GUILayout.EndHorizontal();
+        }
+
+        private void Switches()
+        {
+            GUILayout.BeginHorizontal();
+            if (GUILayout.Button(_experiment.IsPaused ? "run 运行" : "pause 暂停"))
+                _experiment.IsPaused = !_experiment.IsPaused;
+            if (GUILayout.Button("one step 单步"))
+                _experiment.StepOnce();
+            if (GUILayout.Button("reset 重置"))
+                _experiment.StartAgain();
+            GUILayout.EndHorizontal();
+            GUILayout.BeginHorizontal();
+            _experiment.IsSlow = GUILayout.Toggle(_experiment.IsSlow, "slow 慢动作");
+            if (_experiment.Theirs.Count > 0 && GUILayout.Button(_experiment.IsRecording ? "stop 停止录制" : "record 录制"))
+                Record();
+            GUILayout.EndHorizontal();
+            if (!string.IsNullOrEmpty(_experiment.LastRecording))
+                GUILayout.Label(_experiment.LastRecording);
+        }
+
+        private void Record()
+        {
+            if (_experiment.IsRecording)
+                _experiment.EndRecording();
+            else
+                _experiment.Record();
+        }
+
+        private void About(MyRigidbody body, Yardstick yardstick)
+        {
+            Title(body.name);
+            if (!body.IsReady)
+            {
+                GUILayout.Label("see the console 请看控制台");
+                return;
+            }
+
+            if (GUILayout.Button(body.integrator + (_choosing == body ? "  ▲" : "  ▼")))
+                _choosing = _choosing == body ? null : body;
+
+            if (_choosing == body)
+                Choose(body);
+
+            Motion(body.State, body.Body.Mass);
+            if (body.comparedWith != null)
+                Row("to default 相差", Angle(Conserved.AngleBetween(body.State.Orientation, body.comparedWith.State.Orientation)));
+
+            Row("error 误差", Angle(yardstick.AngleError) + ", " + Text(yardstick.DistanceError, "0.000") + " m");
+            Row("one step 每步", Text(yardstick.NanosecondsPerStep, "0") + " ns");
+        }
+
+        private void Choose(MyRigidbody body)
+        {
+            foreach (CatalogueRow row in Catalogue.Rows)
+            {
+                if (!GUILayout.Button(new GUIContent(row.Name, row.About)))
+                    continue;
+
+                body.integrator = row.Name;
+                _choosing = null;
+                _experiment.StartAgain();
+            }
+        }
+
+        private void About(DefaultRigidbody body)
+        {
+            Title(body.name);
+            Motion(body.State, body.Mass);
+            bool isChanged = Switch(ref body.hasLabInertia, "the lab's inertia, × 3 实验的惯量")
+                | Damping(body)
+                | Switch(ref body.limitsSpin, "at most 7 rad/s 限制角速度")
+                | Switch(ref body.pushesInUpdate, "pushed in Update 在 Update 中施力");
+            if (isChanged)
+                _experiment.StartAgain();
+        }
+
+        private static bool Damping(DefaultRigidbody body)
+        {
+            bool isLabs = body.drag == 1;
+            if (!Switch(ref isLabs, "drag 1, as 0.98 a step 阻尼 1"))
+                return false;
+
+            body.drag = isLabs ? 1 : 0;
+            body.angularDrag = isLabs ? 1 : 0.05f;
+            return true;
+        }
+
+        private static bool Switch(ref bool setting, string label)
+        {
+            bool before = setting;
+            setting = GUILayout.Toggle(setting, label);
+            return setting != before;
+        }
+
+        private static void Motion(BodyState state, MassProperties mass)
+        {
+            Row("speed 速度", Text(state.Velocity.Length, "0.00") + " m/s");
+            Row("spin 角速度", Text(state.AngularVelocity.Length, "0.00") + " rad/s");
+            Row("energy 动能", Text(Conserved.KineticEnergy(state, mass), "0.000") + " J");
+            Row("abs(L) 角动量", Text(Conserved.AngularMomentum(state, mass).Length, "0.0000") + " kg m²/s");
+        }
+
+        private static void Title(string name)
+        {
+            GUILayout.Space(Margin);
+            GUILayout.Label("— " + name + " —");
+        }
+
+        private static void Row(string what, string value)
+        {
+            GUILayout.BeginHorizontal();
+            GUILayout.Label(what, GUILayout.Width(NameWidth));
+            GUILayout.Label(value);
+            GUILayout.EndHorizontal();
+        }
+
+        private static string Angle(double radians) => Text(radians * 180 / Math.PI, radians < 0.01 ? "0.0e+0" : "0.00") + "°";
+
+        private static string Text(double number, string format) => number.ToString(format, CultureInfo.InvariantCulture);
+    }
+}
