@@ -49,6 +49,7 @@ internal static class Values
             _ when type == typeof(CatalogueRow) => Catalogue.Default,
             _ when type == typeof(FreeMotion) => new FreeMotion((BodyDescription)Sound(typeof(BodyDescription))),
             _ when type == typeof(HeldBy) => new HeldBy(new Hand()),
+            _ when type == typeof(HeldKeys) => new HeldKeys(new Keyboard { [LabKey.R] = true }),
             _ when type == typeof(Many) => new Many([new Force(vector)]),
             _ when type == typeof(PerStep) => new PerStep([vector], [vector]),
             _ when type == typeof(Torque) => Torque.Constant(vector),
