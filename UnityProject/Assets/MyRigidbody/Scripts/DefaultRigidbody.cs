@@ -75,12 +75,15 @@ namespace RigidBodyDynamics.Scripts
         /// <summary>What the keys add before a step of the engine.</summary>
         public void Step()
         {
+            // force and torque of the keys; the engine adds up what it is given until its next step
             if (!pushesInUpdate)
                 AddPushes();
 
+            // where the body is before that step, and what will act in it
             if (Recording != null)
                 Recording.Step(State, _body.IsSleeping());
 
+            // t of the torque; the engine itself now moves the body: v, damping, limit of spin, x, q
             _steps++;
         }
 

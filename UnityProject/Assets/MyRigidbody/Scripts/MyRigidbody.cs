@@ -102,16 +102,22 @@ namespace RigidBodyDynamics.Scripts
         /// <summary>One step: keys in, pose out.</summary>
         public void Step()
         {
+            // what was changed in the inspector holds from here on; the body goes on from where it is
             if (_isChanged || Time.fixedDeltaTime != _stepLength)
                 Build(IsReady ? State : StartState());
 
+            // settings that make no body move nothing; the console has said why
             if (!IsReady)
                 return;
 
+            // 1. the keys: the library gives 5 N to every arrow that is held, and (sin t, sin t, sin t) N m to R
             for (LabKey key = LabKey.LeftArrow; key <= LabKey.R; key++)
                 _keyboard[key] = readsKeys && LabInput.IsHeld(key);
 
+            // 2. the step: velocity, angular velocity, position, orientation, damping; by the lab's rule in LabEuler.cs
             _simulation.Step();
+
+            // 3. the object: to where the body now is
             Show();
         }
 
@@ -166,6 +172,7 @@ namespace RigidBodyDynamics.Scripts
 
         private void Show()
         {
+            // the library counts in double, a transform holds float; what is rounded here is not read back
             if (IsReady)
                 transform.SetPositionAndRotation(State.Position.Float(), State.Orientation.Float());
         }

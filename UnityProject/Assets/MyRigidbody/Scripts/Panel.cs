@@ -172,7 +172,9 @@ namespace RigidBodyDynamics.Scripts
             Row("speed 速度", Text(state.Velocity.Length, "0.00") + " m/s");
             Row("spin 角速度", Text(state.AngularVelocity.Length, "0.00") + " rad/s");
             Row("energy 动能", Text(Conserved.KineticEnergy(state, mass), "0.000") + " J");
-            Row("abs(L) 角动量", Text(Conserved.AngularMomentum(state, mass).Length, "0.0000") + " kg m²/s");
+            Vector3d momentum = Conserved.AngularMomentum(state, mass);
+            Row("abs(L) 角动量", Text(momentum.Length, "0.0000") + " kg m²/s");
+            Row("L", Text(momentum.X, "0.000") + "  " + Text(momentum.Y, "0.000") + "  " + Text(momentum.Z, "0.000"));
         }
 
         private static void Title(string name)
