@@ -75,8 +75,8 @@ namespace RigidBodyDynamics.Scripts
         /// <summary>What the keys add before a step of the engine.</summary>
         public void Step()
         {
-            // force and torque of the keys; the engine adds up what it is given until its next step
-            if (!pushesInUpdate)
+            // force and torque of the keys; the engine adds up what it is given until its next step (while paused, one step is one frame)
+            if (!pushesInUpdate || Time.timeScale == 0)
                 AddPushes();
 
             // where the body is before that step, and what will act in it

@@ -2,7 +2,6 @@ using System.Collections.Generic;
 using System.Globalization;
 using System.IO;
 using UnityEngine;
-using UnityEngine.SceneManagement;
 
 namespace RigidBodyDynamics.Scripts
 {
@@ -14,13 +13,27 @@ namespace RigidBodyDynamics.Scripts
         private const float Slow = 0.1f;
         private readonly List<MyRigidbody> _mine = new List<MyRigidbody>();
         private readonly List<DefaultRigidbody> _theirs = new List<DefaultRigidbody>();
-        private bool _isPaused, _isSlow;
+        private bool _isPaused, _isSlow, _hasGathered;
 
-        /// <summary>The bodies moved by the library, in the order of the scene's hierarchy.</summary>
-        public IReadOnlyList<MyRigidbody> Mine => _mine;
+        /// <summary>The bodies moved by the library, in the order of the scene's hierarchy. To be asked from Start on.</summary>
+        public IReadOnlyList<MyRigidbody> Mine
+        {
+            get
+            {
+                Gather();
+                return _mine;
+            }
+        }
 
-        /// <summary>The bodies moved by the engine, in the order of the scene's hierarchy.</summary>
-        public IReadOnlyList<DefaultRigidbody> Theirs => _theirs;
+        /// <summary>The bodies moved by the engine, in the order of the scene's hierarchy. To be asked from Start on.</summary>
+        public IReadOnlyList<DefaultRigidbody> Theirs
+        {
+            get
+            {
+                Gather();
+                return _theirs;
+            }
+        }
 
         /// <summary>Fixed steps since the start.</summary>
         public int Steps { get; private set; }
@@ -56,14 +69,7 @@ namespace RigidBodyDynamics.Scripts
         /// <summary>Where the last recording was written.</summary>
         public string LastRecording { get; private set; }
 
-        private void Awake()
-        {
-            foreach (GameObject root in SceneManager.GetActiveScene().GetRootGameObjects())
-            {
-                _mine.AddRange(root.GetComponentsInChildren<MyRigidbody>());
-                _theirs.AddRange(root.GetComponentsInChildren<DefaultRigidbody>());
-            }
-        }
+        private void Start() => Gather();
 
         private void FixedUpdate() => Steps++;
 
@@ -79,13 +85,13 @@ namespace RigidBodyDynamics.Scripts
         public void StepOnce()
         {
             IsPaused = true;
-            foreach (MyRigidbody body in _mine)
+            foreach (MyRigidbody body in Mine)
             {
                 if (body.isActiveAndEnabled)
                     body.Step();
             }
 
-            foreach (DefaultRigidbody body in _theirs)
+            foreach (DefaultRigidbody body in Theirs)
             {
                 if (body.isActiveAndEnabled)
                     body.Step();
@@ -98,10 +104,10 @@ namespace RigidBodyDynamics.Scripts
         /// <summary>All bodies back to their starts, with their settings as they now are.</summary>
         public void StartAgain()
         {
-            foreach (MyRigidbody body in _mine)
+            foreach (MyRigidbody body in Mine)
                 body.StartAgain();
 
-            foreach (DefaultRigidbody body in _theirs)
+            foreach (DefaultRigidbody body in Theirs)
                 body.StartAgain();
 
             Steps = 0;
@@ -112,7 +118,7 @@ namespace RigidBodyDynamics.Scripts
         {
             StartAgain();
             string now = System.DateTime.Now.ToString("yyyyMMdd-HHmmss", CultureInfo.InvariantCulture);
-            foreach (DefaultRigidbody body in _theirs)
+            foreach (DefaultRigidbody body in Theirs)
                 body.Record(FileName(body.name) + "-" + now);
         }
 
@@ -122,7 +128,7 @@ namespace RigidBodyDynamics.Scripts
         /// <summary>Ends the recordings and writes them into a folder.</summary>
         public void EndRecording(string folder)
         {
-            foreach (DefaultRigidbody body in _theirs)
+            foreach (DefaultRigidbody body in Theirs)
             {
                 Recording recording = body.EndRecording();
                 if (recording == null || recording.Steps == 0)
@@ -137,6 +143,20 @@ namespace RigidBodyDynamics.Scripts
                 {
                     Debug.LogError("The recording could not be written: " + refused.Message, this);
                 }
+            }
+        }
+
+        // in Awake the scene is not loaded yet, and Unity would not say what is in it
+        private void Gather()
+        {
+            if (_hasGathered)
+                return;
+
+            _hasGathered = true;
+            foreach (GameObject root in gameObject.scene.GetRootGameObjects())
+            {
+                _mine.AddRange(root.GetComponentsInChildren<MyRigidbody>());
+                _theirs.AddRange(root.GetComponentsInChildren<DefaultRigidbody>());
             }
         }
 
