@@ -121,8 +121,7 @@ public sealed class EffectsPageTests
 
     // end
 
-    private static string[] Block(string after) => [.. File.ReadLines(Root.File(Page))
-        .SkipWhile(line => line != after).Skip(2).TakeWhile(line => line != "```")];
+    private static string[] Block(string after) => PageText.Block(Page, after);
 
     /// <summary>What stands here after a comment of one word, without its indent.</summary>
     private static string[] Lines(string after)
