@@ -25,6 +25,7 @@ internal static class Program
             ExplainCommand.Create(),
             BenchCommand.Create(),
             IntegratorsCommand.Create(),
+            PackCommand.Create(),
         };
         // with no command at all: the lab's scene, both bodies
         root.SetAction(_ => CompareCommand.Execute(Gallery.Lab, CompareCommand.DefaultFolder, CompareCommand.DefaultTolerance));

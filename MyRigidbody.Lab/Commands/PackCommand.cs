@@ -1,0 +1,59 @@
+using System.CommandLine;
+using System.Globalization;
+using RigidBodyDynamics.Lab.Output;
+using RigidBodyDynamics.Lab.Package;
+using Spectre.Console;
+
+namespace RigidBodyDynamics.Lab.Commands;
+
+/// <summary>Writes the package that students import into Unity.</summary>
+internal static class PackCommand
+{
+    private const string DefaultFile = "MyRigidbody.unitypackage", Ending = ".unitypackage";
+
+    public static Command Create()
+    {
+        Option<string> output = new("--out") { Description = "the package", HelpName = "FILE", DefaultValueFactory = _ => DefaultFile };
+        Option<string?> list = new("--list") { Description = "only shows what is in a package", HelpName = "FILE" };
+        Command command = new("pack", "The .unitypackage, from a checkout of the repository") { output, list };
+        command.SetAction(parsed => parsed.GetValue(list) is string packed ? List(packed) : Pack(parsed.GetValue(output)!));
+        return command;
+    }
+
+    private static int Pack(string path)
+    {
+        // Unity's dialog shows no other files
+        if (!path.EndsWith(Ending, StringComparison.Ordinal) || Path.GetFileName(path).Length == Ending.Length)
+            throw new InputException($"--out: must be a file that ends in {Ending}, found \"{path}\"");
+
+        IReadOnlyList<Asset> assets = Checkout.Gather(Checkout.Root());
+        byte[] package = PackageWriter.Write(assets);
+        using Files files = new(Path.GetDirectoryName(Path.GetFullPath(path))!, path);
+        files.Write(Path.GetFileName(path), to => File.WriteAllBytes(to, package));
+        files.Keep();
+        Print(assets, package.Length);
+        Console.Out.WriteLine("written: " + path);
+        return 0;
+    }
+
+    private static int List(string path)
+    {
+        Print(PackageReader.Read(path), new FileInfo(path).Length);
+        return 0;
+    }
+
+    private static void Print(IReadOnlyList<Asset> assets, long packed)
+    {
+        Table table = Terminal.NewTable("asset", "bytes");
+        table.Columns[1].RightAligned();
+        foreach (Asset asset in assets.OrderBy(asset => asset.Path, StringComparer.Ordinal))
+            table.AddRow(new Text(asset.Path + (asset.IsFolder ? "/" : string.Empty)), new Text(asset.Content is byte[] content ? Grouped(content.Length) : string.Empty));
+
+        Terminal.Out.Write(table);
+        int files = assets.Count(asset => !asset.IsFolder);
+        long bytes = assets.Sum(asset => asset.Content?.LongLength ?? 0);
+        Console.Out.WriteLine($"{files} files in {assets.Count - files} folders, {Grouped(bytes)} bytes; packed {Grouped(packed)} bytes");
+    }
+
+    private static string Grouped(long number) => number.ToString("N0", CultureInfo.InvariantCulture);
+}

@@ -1,0 +1,89 @@
+namespace RigidBodyDynamics.Lab.Package;
+
+/// <summary>What goes into the student's package, gathered from a checkout of the repository.</summary>
+internal static class Checkout
+{
+    private const string Top = "Assets/MyRigidbody", Project = "UnityProject/" + Top, Core = "MyRigidbody.Core";
+
+    // of two assets that stand elsewhere in the repository, or have no meta there because they are the root of a package
+    private const string CoreFolderGuid = "5a72f811ae3ef5e9cc67bc435aecb9c7", LicenseGuid = "9ba1d9b5a12c61ff5f8a201a59ec8309";
+
+    /// <summary>The root of the checkout: the folder with the solution, here or above, or above the program.</summary>
+    public static string Root() =>
+        Above(Directory.GetCurrentDirectory()) ?? Above(AppContext.BaseDirectory)
+        ?? throw new InputException("pack: needs a checkout of the repository; there is no MyRigidbody.sln here or above");
+
+    /// <summary>The assets, in the order of their GUIDs.</summary>
+    public static IReadOnlyList<Asset> Gather(string root)
+    {
+        List<Asset> assets = [Read(root, Project, Top)];
+        Walk(root, Project, Top, path => path == Project + "/Tests", assets);
+        // a C# project and a UPM package are nothing to a project that has the sources, and Batch compiles to nothing in Unity
+        Walk(root, Core, Top + "/Core", path => path == Core + "/Batch" || Path.GetFileName(path) is "package.json" or "packages.lock.json" || path.EndsWith(".csproj", StringComparison.Ordinal), assets);
+        assets.Add(new Asset(Top + "/Core", CoreFolderGuid, null, Meta.Folder(CoreFolderGuid)));
+        assets.Add(new Asset(Top + "/LICENSE.txt", LicenseGuid, Bytes(root, "LICENSE"), Meta.Text(LicenseGuid)));
+        return Rules.Checked([.. assets.OrderBy(asset => asset.Guid, StringComparer.Ordinal)]);
+    }
+
+    private static void Walk(string root, string folder, string into, Predicate<string> isLeftOut, List<Asset> assets)
+    {
+        string full = Path.Combine(root, folder);
+        if (!Directory.Exists(full))
+            throw new InputException($"{folder}: is missing in the checkout {root}");
+
+        foreach (string entry in Directory.EnumerateFileSystemEntries(full).Order(StringComparer.Ordinal))
+        {
+            string name = Path.GetFileName(entry), path = folder + "/" + name;
+            if (IsHidden(name) || isLeftOut(path.EndsWith(".meta", StringComparison.Ordinal) ? path[..^".meta".Length] : path))
+                continue;
+
+            if (name.EndsWith(".meta", StringComparison.Ordinal))
+            {
+                if (!Path.Exists(entry[..^".meta".Length]))
+                    throw new InputException($"{path}: nothing stands beside it");
+
+                continue;
+            }
+
+            assets.Add(Read(root, path, into + "/" + name));
+            if (Directory.Exists(entry))
+                Walk(root, path, into + "/" + name, isLeftOut, assets);
+        }
+    }
+
+    private static Asset Read(string root, string path, string into)
+    {
+        byte[] meta = File.Exists(Path.Combine(root, path + ".meta"))
+            ? Bytes(root, path + ".meta")
+            : throw new InputException($"{path}: has no meta; bash .ci/metas writes one");
+        bool isFolder = Directory.Exists(Path.Combine(root, path));
+        return new Asset(into, Meta.GuidOf(path + ".meta", meta), isFolder ? null : Bytes(root, path), meta);
+    }
+
+    // what Unity does not import either
+    private static bool IsHidden(string name) =>
+        name.StartsWith('.') || name.EndsWith('~') || name.EndsWith(".tmp", StringComparison.Ordinal) || name.Equals("cvs", StringComparison.OrdinalIgnoreCase);
+
+    private static byte[] Bytes(string root, string path)
+    {
+        try
+        {
+            return File.ReadAllBytes(Path.Combine(root, path));
+        }
+        catch (Exception refused) when (refused is IOException or UnauthorizedAccessException)
+        {
+            throw new InputException($"{path}: cannot be read: {refused.Message.ReplaceLineEndings(" ")}");
+        }
+    }
+
+    private static string? Above(string folder)
+    {
+        for (DirectoryInfo? here = new(folder); here != null; here = here.Parent)
+        {
+            if (File.Exists(Path.Combine(here.FullName, "MyRigidbody.sln")))
+                return here.FullName;
+        }
+
+        return null;
+    }
+}

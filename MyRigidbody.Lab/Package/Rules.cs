@@ -1,0 +1,79 @@
+using System.Text;
+
+namespace RigidBodyDynamics.Lab.Package;
+
+/// <summary>What must be true of a package for every editor to import it: each of these has broken somebody's.</summary>
+internal static class Rules
+{
+    // longer paths fail on Windows once they stand in somebody's project
+    private const int LongestPath = 120;
+
+    // one random GUID in 27 million has fewer different digits; those typed by hand and Unity's own have
+    private const int FewestDigits = 8;
+
+    private static readonly string[] Texts = [".cs", ".asmdef", ".md", ".txt", ".unity", ".mat", ".json"];
+
+    /// <summary>The assets, if they are a sound package.</summary>
+    public static IReadOnlyList<Asset> Checked(IReadOnlyList<Asset> assets)
+    {
+        if (!assets.Any(asset => !asset.IsFolder))
+            throw new InputException("pack: there is no file to pack");
+
+        Dictionary<string, string> guids = [];
+        HashSet<string> paths = new(StringComparer.OrdinalIgnoreCase);
+        foreach (Asset asset in assets)
+        {
+            if (!guids.TryAdd(asset.Guid, asset.Path))
+                throw new InputException($"{asset.Path}: has the GUID of {guids[asset.Guid]}");
+
+            if (!paths.Add(asset.Path))
+                throw new InputException($"{asset.Path}: is there twice, where capitals do not count");
+
+            if (asset.Guid.Distinct().Count() < FewestDigits)
+                throw new InputException($"{asset.Path}: its GUID {asset.Guid} is not random, and another package may have it too");
+
+            Path(asset.Path);
+            Content(asset);
+        }
+
+        foreach (Asset asset in assets)
+        {
+            string folder = asset.Path[..asset.Path.LastIndexOf('/')];
+            if (folder != "Assets" && !paths.Contains(folder))
+                throw new InputException($"{asset.Path}: its folder is not in the package");
+        }
+
+        return assets;
+    }
+
+    private static void Path(string path)
+    {
+        if (!path.StartsWith("Assets/MyRigidbody", StringComparison.Ordinal) || path.Length > LongestPath)
+            throw new InputException($"{path}: must begin with Assets/MyRigidbody and have at most {LongestPath} characters");
+
+        if (path.Any(c => c is < ' ' or > '~' or '\\' or ':' or '*' or '?' or '"' or '<' or '>' or '|')
+            || path.Split('/').Any(part => part.Length == 0 || part.EndsWith('.') || part.EndsWith(' ')))
+        {
+            throw new InputException($"{path}: has a character that not every file system takes");
+        }
+    }
+
+    private static void Content(Asset asset)
+    {
+        bool saysFolder = Encoding.UTF8.GetString(asset.Meta).Contains("\nfolderAsset: yes\n", StringComparison.Ordinal);
+        if (saysFolder != asset.IsFolder)
+            throw new InputException($"{asset.Path}.meta: must {(asset.IsFolder ? "have" : "not have")} the line 'folderAsset: yes'");
+
+        if (asset.Meta.Contains((byte)'\r'))
+            throw new InputException($"{asset.Path}.meta: must have LF at the end of its lines");
+
+        if (asset.Content is not byte[] content || !Texts.Contains(System.IO.Path.GetExtension(asset.Path)))
+            return;
+
+        if (content.Contains((byte)'\r'))
+            throw new InputException($"{asset.Path}: must have LF at the end of its lines");
+
+        if (content.AsSpan().StartsWith(Encoding.UTF8.Preamble))
+            throw new InputException($"{asset.Path}: must have no byte order mark");
+    }
+}
