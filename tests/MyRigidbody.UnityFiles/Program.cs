@@ -1,4 +1,5 @@
 using System.CommandLine;
+using RigidBodyDynamics.UnityFiles.Checks;
 using RigidBodyDynamics.UnityFiles.Drawing;
 
 namespace RigidBodyDynamics.UnityFiles;
@@ -8,8 +9,23 @@ internal static class Program
 {
     private static int Main(string[] args)
     {
-        RootCommand root = new("What an editor would say of the Unity project, and what a student will see.") { Draw() };
+        RootCommand root = new("What an editor would say of the Unity project, and what a student will see.") { Check(), Draw() };
         return root.Parse(args).Invoke();
+    }
+
+    private static Command Check()
+    {
+        Argument<string> root = new("root") { Description = "The folder of the repository.", DefaultValueFactory = _ => "." };
+        Command check = new("check", "Lists what an editor would complain about; exit code 1 if there is anything.") { root };
+        check.SetAction(parsed =>
+        {
+            IReadOnlyList<string> findings = ProjectChecker.Findings(ProjectFiles.Read(parsed.GetValue(root)!));
+            foreach (string finding in findings)
+                Console.WriteLine(finding);
+
+            return findings.Count == 0 ? 0 : 1;
+        });
+        return check;
     }
 
     private static Command Draw()
