@@ -1,0 +1,17 @@
+using NUnit.Framework;
+using RigidBodyDynamics.UnityFiles.Checks;
+
+namespace RigidBodyDynamics.Tests.UnityProject;
+
+/// <summary>An editor would find nothing to complain about in the Unity project, as far as it can be known without one.</summary>
+public sealed class ProjectTests
+{
+    [Test]
+    public void Checker_finds_nothing() => Assert.That(ProjectChecker.Findings(Change.Real), Is.Empty);
+
+    // each of these would be noticed by the editor only, or by nobody
+    [TestCaseSource(typeof(BrokenScenes), nameof(BrokenScenes.All))]
+    [TestCaseSource(typeof(BrokenComponents), nameof(BrokenComponents.All))]
+    [TestCaseSource(typeof(BrokenFiles), nameof(BrokenFiles.All))]
+    public void Checker_finds(ProjectFiles wrong, string words) => Assert.That(ProjectChecker.Findings(wrong), Has.Some.Contains(words));
+}
