@@ -26,7 +26,7 @@ public sealed partial class PackageContentTests
         ("a byte order mark", root => File.WriteAllText(Path.Combine(root, Script), "class A { }", new UTF8Encoding(true)), "must have no byte order mark"),
         ("a name in Chinese", root => Add(root, Project + "/刚体.txt"), "has a character that not every file system takes"),
         ("a name too long", root => Add(root, Project + "/" + new string('a', 120) + ".txt"), "must begin with Assets/MyRigidbody and have at most 120"),
-        ("no scripts at all", root => Directory.Delete(Path.Combine(root, Project), true), "is missing in the checkout"),
+        ("no scripts at all", root => Directory.Delete(Path.Combine(root, Project), true), "MyRigidbody: cannot be read"),
         ("no license", root => File.Delete(Path.Combine(root, "LICENSE")), "LICENSE: cannot be read"),
     ];
 
