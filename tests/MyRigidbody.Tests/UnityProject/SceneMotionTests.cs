@@ -109,7 +109,8 @@ public sealed partial class SceneMotionTests
 
     private static SceneObject[] Slabs() => [.. SceneObject.All(Change.SlabScene).Where(found => found["MyRigidbody"] != null)];
 
-    private static string Value(UnityObject component, string field) => component[field] is YamlScalarNode value ? value.Text() : $"{SceneObject.Vector(component[field]!)}";
+    private static string Value(UnityObject component, string field) =>
+        component[field] is YamlScalarNode value ? value.Text() : $"{SceneObject.Vector(component[field]!)}";
 
     // how Unity writes what stands after a field in the source
     private static string Written(string type, string source) => source switch
