@@ -1,6 +1,5 @@
 using System.Text.RegularExpressions;
 using NUnit.Framework;
-using RigidBodyDynamics.UnityFiles.Checks;
 using static RigidBodyDynamics.Tests.UnityProject.Change;
 
 namespace RigidBodyDynamics.Tests.UnityProject;

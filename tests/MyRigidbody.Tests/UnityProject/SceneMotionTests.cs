@@ -1,7 +1,6 @@
 using System.Globalization;
 using System.Text.RegularExpressions;
 using NUnit.Framework;
-using RigidBodyDynamics.Tests.Repository;
 using RigidBodyDynamics.UnityFiles;
 using YamlDotNet.RepresentationModel;
 
