@@ -23,7 +23,10 @@ internal static class BrokenFiles
         Found("a GUID with dashes", With("8-" + Guid(Sources + "Panel.cs")[2..]), "32 lower-case hex digits"),
         Found("an empty line in a meta", Real.With(Meta, Text(Meta) + "\n"), "is not as Unity 2019.4 writes it"),
         Found("the meta of another importer", Replace(Meta, "MonoImporter", "DefaultImporter"), "is not as Unity 2019.4 writes it"),
-        Found("a material without its main object", Replace(Assets + "Materials/Blue.mat.meta", "  mainObjectFileID: 2100000\n", ""), "is not as Unity 2019.4 writes it"),
+        Found(
+            "a material without its main object",
+            Replace(Assets + "Materials/Blue.mat.meta", "  mainObjectFileID: 2100000\n", ""),
+            "is not as Unity 2019.4 writes it"),
         Found("a folder that is not said to be one", Replace(Assets + "Scenes.meta", "folderAsset: yes\n", ""), "is not as Unity 2019.4 writes it"),
     ];
 
@@ -37,11 +40,20 @@ internal static class BrokenFiles
 
     private static IEnumerable<TestCaseData> Assemblies() =>
     [
-        Found("an assembly that is not there", Replace(ScriptsAssembly, "\"MyRigidbody.Core\"", "\"MyRigidbody.Kern\""), "refers to MyRigidbody.Kern, which is no assembly here"),
+        Found(
+            "an assembly that is not there",
+            Replace(ScriptsAssembly, "\"MyRigidbody.Core\"", "\"MyRigidbody.Kern\""),
+            "refers to MyRigidbody.Kern, which is no assembly here"),
         Found("an assembly's name twice", Real.With(Assets + "Editor/MyRigidbody.Editor.asmdef", Text(ScriptsAssembly)), "has the name of"),
-        Found("an assembly called unlike its file", Replace(ScriptsAssembly, "\"name\": \"MyRigidbody.Scripts\"", "\"name\": \"Scripts\""), "is called Scripts, unlike its file"),
+        Found(
+            "an assembly called unlike its file",
+            Replace(ScriptsAssembly, "\"name\": \"MyRigidbody.Scripts\"", "\"name\": \"Scripts\""),
+            "is called Scripts, unlike its file"),
         Found("a field of 2020 in an assembly", Replace(ScriptsAssembly, "{\n", "{\n  \"rootNamespace\": \"\",\n"), "rootNamespace is not known to Unity 2019.4"),
-        Found("platforms both in and out", Replace(Assets + "Editor/MyRigidbody.Editor.asmdef", "\"excludePlatforms\": []", "\"excludePlatforms\": [\"WSA\"]"), "includes and excludes platforms"),
+        Found(
+            "platforms both in and out",
+            Replace(Assets + "Editor/MyRigidbody.Editor.asmdef", "\"excludePlatforms\": []", "\"excludePlatforms\": [\"WSA\"]"),
+            "includes and excludes platforms"),
         Found("an assembly that is no JSON", Real.With(ScriptsAssembly, "{"), "is not a JSON object with a name"),
         Found("a script in no assembly", Real.With(Assets + "Loose.cs", ""), "Loose.cs: is in no assembly of ours"),
     ];
@@ -50,7 +62,10 @@ internal static class BrokenFiles
     [
         Found("another step", Replace(Settings + "TimeManager.asset", "Fixed Timestep: 0.02", "Fixed Timestep: 0.0167"), "Fixed Timestep: 0.0167 is not =0.02"),
         Found("binary files", Replace(Settings + "EditorSettings.asset", "m_SerializationMode: 2", "m_SerializationMode: 1"), "m_SerializationMode"),
-        Found("the word spelt rightly, as from 2020 on", Replace(Settings + "DynamicsManager.asset", "AngluarSpeed", "AngularSpeed"), "lacks m_DefaultMaxAngluarSpeed"),
+        Found(
+            "the word spelt rightly, as from 2020 on",
+            Replace(Settings + "DynamicsManager.asset", "AngluarSpeed", "AngularSpeed"),
+            "lacks m_DefaultMaxAngluarSpeed"),
         Found("missing settings", Real.Without(Settings + "TimeManager.asset"), "TimeManager.asset: is missing"),
         Found("the editor of mainland China", Replace(Settings + "ProjectVersion.txt", "f1\n", "f1c1\n"), "must have the two lines of 2019.4.17f1"),
         Found("a scene that is not there", Replace(BuildSettings, "Lab.unity", "Labor.unity"), "lists Assets/MyRigidbody/Scenes/Labor.unity, which is not there"),

@@ -1,6 +1,5 @@
 using System.Text.RegularExpressions;
 using NUnit.Framework;
-using RigidBodyDynamics.UnityFiles.Checks;
 using static RigidBodyDynamics.Tests.UnityProject.Change;
 
 namespace RigidBodyDynamics.Tests.UnityProject;
@@ -25,9 +24,15 @@ internal static partial class BrokenScenes
     private static IEnumerable<TestCaseData> Fields() =>
     [
         Found("a missing field", Replace(LabScene, "  m_RayTracingMode: 2\n", ""), "MeshRenderer: lacks m_RayTracingMode"),
-        Found("a field of 2020", Replace(LabScene, "  m_Children:", "  m_ConstrainProportionsScale: 0\n  m_Children:"), "m_ConstrainProportionsScale, which Unity 2019.4 does not write"),
+        Found(
+            "a field of 2020",
+            Replace(LabScene, "  m_Children:", "  m_ConstrainProportionsScale: 0\n  m_Children:"),
+            "m_ConstrainProportionsScale, which Unity 2019.4 does not write"),
         Found("a field of 2020 in a material", Replace(Blue, "    m_Colors:", "    m_Ints: []\n    m_Colors:"), "m_Ints, which Unity 2019.4 does not write"),
-        Found("fields in another order", Replace(LabScene, "  m_Drag: 0\n  m_AngularDrag: 0.05\n", "  m_AngularDrag: 0.05\n  m_Drag: 0\n"), "Rigidbody: its fields stand in another order"),
+        Found(
+            "fields in another order",
+            Replace(LabScene, "  m_Drag: 0\n  m_AngularDrag: 0.05\n", "  m_AngularDrag: 0.05\n  m_Drag: 0\n"),
+            "Rigidbody: its fields stand in another order"),
         Found("a light of 2020", Replace(LabScene, "serializedVersion: 10\n", "serializedVersion: 11\n"), "Light.serializedVersion: 11 is not =10"),
         Found("a light map of 2020", Replace(LabScene, "serializedVersion: 11\n", "serializedVersion: 12\n"), "LightmapSettings.serializedVersion"),
         Found("a material of 2021", Replace(Blue, "serializedVersion: 6\n", "serializedVersion: 8\n"), "Material.serializedVersion"),
@@ -35,8 +40,14 @@ internal static partial class BrokenScenes
         Found("a text for a number", Replace(LabScene, "m_Mass: 1\n", "m_Mass: one\n"), "m_Mass: one is not float"),
         Found("a true for a 1", Replace(LabScene, "m_IsActive: 1\n", "m_IsActive: true\n"), "m_IsActive: true is not bool"),
         Found("a vector without z", Replace(LabScene, "m_Size: {x: 1, y: 1, z: 1}", "m_Size: {x: 1, y: 1}"), "m_Size"),
-        Found("a rotation that is none", Replace(SlabScene, "m_LocalRotation: {x: 0, y: 0, z: 0, w: 1}", "m_LocalRotation: {x: 0, y: 0, z: 0, w: 0.9}"), "is not rotation"),
-        Found("a rotation unlike its angles", Replace(SlabScene, "m_LocalEulerAnglesHint: {x: 0, y: 0, z: 0}", "m_LocalEulerAnglesHint: {x: 0, y: 1, z: 0}"), "m_LocalEulerAnglesHint"),
+        Found(
+            "a rotation that is none",
+            Replace(SlabScene, "m_LocalRotation: {x: 0, y: 0, z: 0, w: 1}", "m_LocalRotation: {x: 0, y: 0, z: 0, w: 0.9}"),
+            "is not rotation"),
+        Found(
+            "a rotation unlike its angles",
+            Replace(SlabScene, "m_LocalEulerAnglesHint: {x: 0, y: 0, z: 0}", "m_LocalEulerAnglesHint: {x: 0, y: 1, z: 0}"),
+            "m_LocalEulerAnglesHint"),
     ];
 
     private static IEnumerable<TestCaseData> References() =>
@@ -51,7 +62,10 @@ internal static partial class BrokenScenes
         Found("a script by the wrong number", Replace(LabScene, "{fileID: 11500000, ", "{fileID: 2100000, "), "has fileID 11500000 and type 3"),
         Found("a material of the wrong type", Replace(LabScene, "type: 2}", "type: 3}"), "has fileID 2100000 and type 2"),
         Found("a cylinder for a cube", Replace(LabScene, "fileID: 10202", "fileID: 10206"), "should be {fileID: 10202"),
-        Found("a cube from elsewhere", Replace(LabScene, "guid: 0000000000000000e000000000000000, type: 0}\n---", "guid: 0000000000000000f000000000000000, type: 0}\n---"), "should be {fileID: 10202"),
+        Found(
+            "a cube from elsewhere",
+            Replace(LabScene, "guid: 0000000000000000e000000000000000, type: 0}\n---", "guid: 0000000000000000f000000000000000, type: 0}\n---"),
+            "should be {fileID: 10202"),
         Found("another shader", Replace(Blue, "fileID: 46,", "fileID: 47,"), "should be {fileID: 46"),
         Found("a prefab", Replace(LabScene, "m_PrefabInstance: {fileID: 0}", "m_PrefabInstance: {fileID: 1}"), "should refer to nothing"),
         Found("a reference that is none", Replace(LabScene, "m_Icon: {fileID: 0}", "m_Icon: 0"), "is not a reference"),

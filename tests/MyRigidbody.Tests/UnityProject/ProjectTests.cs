@@ -9,6 +9,13 @@ public sealed class ProjectTests
     [Test]
     public void Checker_finds_nothing() => Assert.That(ProjectChecker.Findings(Change.Real), Is.Empty);
 
+    [Test]
+    public void What_an_editor_adds_when_it_opens_the_project_is_no_finding() => Assert.That(
+        ProjectChecker.Findings(Change.Real
+            .With(Change.Settings + "AudioManager.asset", "%YAML 1.1\n%TAG !u! tag:unity3d.com,2011:\n--- !u!11 &1\nAudioManager:\n  m_Volume: 1\n")
+            .With("UnityProject/Packages/packages-lock.json", "{}")),
+        Is.Empty);
+
     // each of these would be noticed by the editor only, or by nobody
     [TestCaseSource(typeof(BrokenScenes), nameof(BrokenScenes.All))]
     [TestCaseSource(typeof(BrokenComponents), nameof(BrokenComponents.All))]

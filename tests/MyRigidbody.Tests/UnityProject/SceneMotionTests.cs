@@ -1,7 +1,6 @@
 using System.Globalization;
 using System.Text.RegularExpressions;
 using NUnit.Framework;
-using RigidBodyDynamics.Tests.Repository;
 using RigidBodyDynamics.UnityFiles;
 using YamlDotNet.RepresentationModel;
 
@@ -109,7 +108,8 @@ public sealed partial class SceneMotionTests
 
     private static SceneObject[] Slabs() => [.. SceneObject.All(Change.SlabScene).Where(found => found["MyRigidbody"] != null)];
 
-    private static string Value(UnityObject component, string field) => component[field] is YamlScalarNode value ? value.Text() : $"{SceneObject.Vector(component[field]!)}";
+    private static string Value(UnityObject component, string field) =>
+        component[field] is YamlScalarNode value ? value.Text() : $"{SceneObject.Vector(component[field]!)}";
 
     // how Unity writes what stands after a field in the source
     private static string Written(string type, string source) => source switch

@@ -7,7 +7,8 @@ namespace RigidBodyDynamics.Tests.UnityProject;
 /// <summary>An object of a scene with its components, by the names of their classes or scripts.</summary>
 internal sealed class SceneObject
 {
-    private static readonly string[] Scripts = [.. Change.Real.Texts.Keys.Where(key => key.StartsWith(Change.Sources, StringComparison.Ordinal) && key.EndsWith(".cs", StringComparison.Ordinal))];
+    private static readonly string[] Scripts = [.. Change.Real.Texts.Keys
+        .Where(key => key.StartsWith(Change.Sources, StringComparison.Ordinal) && key.EndsWith(".cs", StringComparison.Ordinal))];
 
     private readonly Dictionary<string, UnityObject> _components;
 

@@ -13,6 +13,7 @@ public sealed class SceneViewTests
     private const float PanelEnd = 8 + 250, DesignHeight = 720;
 
     private static readonly string[] Scenes = [Change.LabScene, Change.SlabScene];
+    private static readonly Dictionary<string, DrawnScene> Drawn = Scenes.ToDictionary(scene => scene, scene => DrawnScene.Read(Root.File(scene)));
 
     [Test]
     public void All_bodies_are_inside_the_window_and_beside_the_panel(
@@ -20,7 +21,7 @@ public sealed class SceneViewTests
     {
         int[] size = [.. window.Split('x').Select(int.Parse)];
         float panel = PanelEnd * Math.Max(1, size[1] / DesignHeight);
-        foreach (Vector2 corner in Bodies(scene).SelectMany(body => Outline.Of(body, View(scene), size[0], size[1])))
+        foreach (Vector2 corner in Bodies(scene).SelectMany(body => Outline.Of(body, Drawn[scene].View, size[0], size[1])))
         {
             Assert.That(corner.X, Is.InRange(panel + 20, size[0] - 20f));
             Assert.That(corner.Y, Is.InRange(20f, size[1] - 20f));
@@ -30,7 +31,7 @@ public sealed class SceneViewTests
     [TestCaseSource(nameof(Scenes))]
     public void No_body_hides_another(string scene)
     {
-        Vector2[][] outlines = [.. Bodies(scene).Select(body => Outline.Of(body, View(scene), Picture.Width, Picture.Height))];
+        Vector2[][] outlines = [.. Bodies(scene).Select(body => Outline.Of(body, Drawn[scene].View, Picture.Width, Picture.Height))];
         IEnumerable<(int, int)> pairs = Enumerable.Range(0, outlines.Length).SelectMany(a => Enumerable.Range(0, a).Select(b => (a, b)));
 
         Assert.That(outlines, Has.Length.EqualTo(4));
@@ -42,19 +43,10 @@ public sealed class SceneViewTests
     [TestCase(Change.SlabScene, "docs/images/unity-slab.png")]
     public void Picture_in_the_documentation_is_of_the_scene(string path, string picture)
     {
-        DrawnScene scene = DrawnScene.Read(Root.File(path));
-        using SKBitmap drawn = Picture.Bodies(scene), kept = SKBitmap.Decode(Root.File(picture));
+        using SKBitmap drawn = Picture.Bodies(Drawn[path]), kept = SKBitmap.Decode(Root.File(picture));
         SKColor background = drawn.GetPixel(0, 0);
-        int of = 0, other = 0;
-        for (int y = 0; y < drawn.Height; y++)
-        {
-            for (int x = 0; x < drawn.Width; x++)
-            {
-                SKColor a = drawn.GetPixel(x, y), b = kept.GetPixel(x, y);
-                of += a == background ? 0 : 1;
-                other += a != background && Math.Abs(a.Red - b.Red) + Math.Abs(a.Green - b.Green) + Math.Abs(a.Blue - b.Blue) > 12 ? 1 : 0;
-            }
-        }
+        (SKColor, SKColor)[] bodies = [.. drawn.Pixels.Zip(kept.Pixels).Where(pair => pair.First != background)];
+        int of = bodies.Length, other = bodies.Count(pair => Difference(pair.Item1, pair.Item2) > 12);
 
         TestContext.Out.WriteLine($"{other} of {of} pixels differ");
         Assert.That(of, Is.GreaterThan(20_000));
@@ -94,7 +86,8 @@ public sealed class SceneViewTests
     public void Nearer_cube_is_seen_before_the_farther_and_lit_from_where_the_light_comes()
     {
         Vector3 red = Vector3.UnitX, green = Vector3.UnitY;
-        DrawnCube near = new("near", null, Matrix4x4.CreateTranslation(0, 0, 3), red), far = new("far", null, Matrix4x4.CreateScale(4) * Matrix4x4.CreateTranslation(0, 0, 9), green);
+        DrawnCube near = new("near", null, Matrix4x4.CreateTranslation(0, 0, 3), red);
+        DrawnCube far = new("far", null, Matrix4x4.CreateScale(4) * Matrix4x4.CreateTranslation(0, 0, 9), green);
         Viewpoint view = new(Vector3.Zero, Quaternion.Identity, 60, 0.3f, Vector3.Zero);
         foreach (DrawnCube[] cubes in (DrawnCube[][])[[near, far], [far, near]])
         {
@@ -109,9 +102,9 @@ public sealed class SceneViewTests
         }
     }
 
-    private static IEnumerable<DrawnCube> Bodies(string scene) => DrawnScene.Read(Root.File(scene)).Cubes.Where(cube => cube.Parent == null);
+    private static IEnumerable<DrawnCube> Bodies(string scene) => Drawn[scene].Cubes.Where(cube => cube.Parent == null);
 
-    private static Viewpoint View(string scene) => DrawnScene.Read(Root.File(scene)).View;
+    private static int Difference(SKColor a, SKColor b) => Math.Abs(a.Red - b.Red) + Math.Abs(a.Green - b.Green) + Math.Abs(a.Blue - b.Blue);
 
     private static bool IsNear(Vector3 a, Vector3 b) => (a - b).Length() < 0.01f;
 }

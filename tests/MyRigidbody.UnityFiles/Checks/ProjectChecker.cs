@@ -6,7 +6,10 @@ namespace RigidBodyDynamics.UnityFiles.Checks;
 public static class ProjectChecker
 {
     private const string Settings = ProjectFiles.Project + "/ProjectSettings/", BuildSettings = Settings + "EditorBuildSettings.asset";
-    private static readonly string[] Needed = ["DynamicsManager", "EditorBuildSettings", "EditorSettings", "TimeManager"];
+
+    // an editor adds a dozen others, in which nothing matters here
+    private static readonly string[] OurSettings =
+        [Settings + "DynamicsManager.asset", BuildSettings, Settings + "EditorSettings.asset", Settings + "TimeManager.asset"];
 
     /// <summary>What is wrong, one line each, naming the file and, where there is one, the object.</summary>
     public static IReadOnlyList<string> Findings(ProjectFiles files)
@@ -18,13 +21,15 @@ public static class ProjectChecker
             .. Assemblies.Findings(files),
             .. Packages.Findings(files),
             .. project.Scripts.Misnamed,
-            .. Needed.Where(name => !files.Texts.ContainsKey(Settings + name + ".asset")).Select(name => $"{Settings}{name}.asset: is missing"),
+            .. OurSettings.Where(path => !files.Texts.ContainsKey(path)).Select(path => $"{path}: is missing"),
             .. files.Texts.Keys.Where(IsYaml).SelectMany(path => new SceneChecker(path, project).Findings()),
             .. ScenesToBuild(project),
         ];
     }
 
-    private static bool IsYaml(string path) => Path.GetExtension(path) is ".unity" or ".mat" or ".asset" or ".prefab" or ".physicMaterial";
+    private static bool IsYaml(string path) => path.StartsWith(Settings, StringComparison.Ordinal)
+        ? OurSettings.Contains(path)
+        : Path.GetExtension(path) is ".unity" or ".mat" or ".asset" or ".prefab" or ".physicMaterial";
 
     private static IEnumerable<string> ScenesToBuild(Project project)
     {

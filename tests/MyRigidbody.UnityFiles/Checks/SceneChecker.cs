@@ -1,4 +1,5 @@
 using System.Numerics;
+using System.Runtime.CompilerServices;
 using YamlDotNet.RepresentationModel;
 
 namespace RigidBodyDynamics.UnityFiles.Checks;
@@ -9,6 +10,9 @@ internal sealed class SceneChecker(string path, Project project)
     // occlusion culling, render, light map and navigation settings
     private static readonly int[] SettingsOfAScene = [29, 104, 157, 196];
 
+    // copies of a project share the texts in which they do not differ
+    private static readonly ConditionalWeakTable<string, UnityFile> Parsed = [];
+
     /// <summary>What is wrong.</summary>
     public IEnumerable<string> Findings()
     {
@@ -18,7 +22,7 @@ internal sealed class SceneChecker(string path, Project project)
 
         try
         {
-            return Findings(UnityFile.Parse(path, text));
+            return Findings(Parsed.GetValue(text, found => UnityFile.Parse(path, found)));
         }
         catch (Exception wrong) when (wrong is FormatException or OverflowException)
         {
@@ -41,7 +45,9 @@ internal sealed class SceneChecker(string path, Project project)
 
         findings.AddRange(Whole(file));
         findings.AddRange(new Hierarchy(file).Findings().Select(found => Line(file, found.Object, found.Finding)));
-        findings.AddRange(file.Objects.Where(o => o.TypeName == "GameObject").SelectMany(o => Together(file, o).Select(finding => Line(file, o, finding))));
+        ILookup<long, UnityObject> components = file.Objects.ToLookup(OwnerOf);
+        findings.AddRange(file.Objects.Where(o => o.TypeName == "GameObject")
+            .SelectMany(o => Together([.. components[o.FileId]]).Select(finding => Line(file, o, finding))));
         findings.AddRange(file.Objects.Where(o => o.TypeName == "Transform" && !AnglesAgree(o))
             .Select(o => Line(file, o, "m_LocalRotation is not the rotation of m_LocalEulerAnglesHint")));
         return findings;
@@ -68,9 +74,8 @@ internal sealed class SceneChecker(string path, Project project)
     }
 
     /// <summary>What scripts on the same object ask of each other.</summary>
-    private IEnumerable<string> Together(UnityFile file, UnityObject owner)
+    private IEnumerable<string> Together(UnityObject[] components)
     {
-        UnityObject[] components = [.. file.Objects.Where(o => Owner(file, o)?.FileId == owner.FileId)];
         Script[] scripts = [.. components.Select(ScriptOf).OfType<Script>()];
         HashSet<string> names = [.. components.Select(o => o.TypeName), .. scripts.Select(script => script.Name)];
         foreach (Script script in scripts)
@@ -95,15 +100,23 @@ internal sealed class SceneChecker(string path, Project project)
     // turned about z first, then x, then y
     private static bool AnglesAgree(UnityObject transform)
     {
-        if (transform["m_LocalRotation"] is not YamlMappingNode { Children.Count: 4 } rotation || transform["m_LocalEulerAnglesHint"] is not YamlMappingNode { Children.Count: 3 } hint)
+        if (transform["m_LocalRotation"] is not YamlMappingNode { Children.Count: 4 } rotation
+            || transform["m_LocalEulerAnglesHint"] is not YamlMappingNode { Children.Count: 3 } hint)
+        {
             return true;
+        }
 
         Vector3 angles = hint.Vector() * MathF.PI / 180;
         return Math.Abs(Quaternion.Dot(Quaternion.CreateFromYawPitchRoll(angles.Y, angles.X, angles.Z), rotation.Rotation())) > 1 - 1e-6;
     }
 
-    private static UnityObject? Owner(UnityFile file, UnityObject component) =>
-        component["m_GameObject"] is YamlMappingNode { Children.Count: 1 } reference ? file.Objects.FirstOrDefault(o => o.FileId == reference.FileId()) : null;
+    private static long OwnerOf(UnityObject component) => component["m_GameObject"] is YamlMappingNode { Children.Count: 1 } reference ? reference.FileId() : 0;
+
+    private static UnityObject? Owner(UnityFile file, UnityObject component)
+    {
+        long owner = OwnerOf(component);
+        return file.Objects.FirstOrDefault(o => o.FileId == owner);
+    }
 
     private string Line(UnityFile file, UnityObject o, string finding)
     {

@@ -1,3 +1,4 @@
+using System.Runtime.CompilerServices;
 using Microsoft.CodeAnalysis;
 using Microsoft.CodeAnalysis.CSharp;
 using Microsoft.CodeAnalysis.CSharp.Syntax;
@@ -10,19 +11,21 @@ internal sealed class Scripts
     private static readonly CSharpParseOptions Unity2019 = new(
         LanguageVersion.CSharp7_3, preprocessorSymbols: ["UNITY_EDITOR", "UNITY_2019_3_OR_NEWER", "UNITY_2019_4_OR_NEWER", "ENABLE_LEGACY_INPUT_MANAGER"]);
 
+    // copies of a project share the texts in which they do not differ, and parsing them takes most of the time of a check
+    private static readonly ConditionalWeakTable<string, SyntaxNode[]> Declared = [];
+
     private readonly Dictionary<string, Script> _byFile = [];
     private readonly Dictionary<string, int> _enums = [];
 
     public Scripts(ProjectFiles files)
     {
-        // to parse takes most of the time of a check
-        foreach ((string path, string text) in files.Texts.Where(file => file.Key.EndsWith(".cs", StringComparison.Ordinal) && MayHaveAny(file.Value)))
+        foreach ((string path, string text) in files.Texts.Where(file => file.Key.EndsWith(".cs", StringComparison.Ordinal)))
         {
-            CompilationUnitSyntax source = CSharpSyntaxTree.ParseText(text, Unity2019, path).GetCompilationUnitRoot();
-            foreach (EnumDeclarationSyntax found in source.DescendantNodes().OfType<EnumDeclarationSyntax>())
+            SyntaxNode[] types = Declared.GetValue(text, TypesIn);
+            foreach (EnumDeclarationSyntax found in types.OfType<EnumDeclarationSyntax>())
                 _enums.TryAdd(found.Identifier.Text, found.Members.Count);
 
-            foreach (Script script in source.DescendantNodes().OfType<ClassDeclarationSyntax>().Where(Script.IsComponent).Select(type => new Script(type)))
+            foreach (Script script in types.OfType<ClassDeclarationSyntax>().Where(Script.IsComponent).Select(type => new Script(type)))
             {
                 if (script.Name == Path.GetFileNameWithoutExtension(path))
                     _byFile.Add(path, script);
@@ -38,7 +41,10 @@ internal sealed class Scripts
     /// <summary>The component in a file; null if there is none.</summary>
     public Script? In(string path) => _byFile.GetValueOrDefault(path);
 
-    private static bool MayHaveAny(string source) => source.Contains("MonoBehaviour", StringComparison.Ordinal) || source.Contains("enum ", StringComparison.Ordinal);
+    // there are none in members
+    private static SyntaxNode[] TypesIn(string source) => [.. CSharpSyntaxTree.ParseText(source, Unity2019).GetCompilationUnitRoot()
+        .DescendantNodes(node => node is CompilationUnitSyntax or NamespaceDeclarationSyntax or TypeDeclarationSyntax)
+        .Where(node => node is EnumDeclarationSyntax or ClassDeclarationSyntax)];
 
     /// <summary>How a field of a type is written, as in Layouts.yaml; null if the type is not known here.</summary>
     public string? KindOf(string type) => type switch

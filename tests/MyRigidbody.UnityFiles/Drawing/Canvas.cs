@@ -32,12 +32,7 @@ internal sealed class Canvas
     public SKBitmap Picture()
     {
         SKBitmap picture = new(_width / Fine, _height / Fine, SKColorType.Rgba8888, SKAlphaType.Opaque);
-        for (int y = 0; y < picture.Height; y++)
-        {
-            for (int x = 0; x < picture.Width; x++)
-                picture.SetPixel(x, y, Mean(x * Fine, y * Fine));
-        }
-
+        picture.Pixels = [.. Enumerable.Range(0, picture.Width * picture.Height).Select(i => Mean(i % picture.Width * Fine, i / picture.Width * Fine))];
         return picture;
     }
 

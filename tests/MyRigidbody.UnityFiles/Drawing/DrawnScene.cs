@@ -77,8 +77,9 @@ public sealed record DrawnScene(Viewpoint View, Vector3 LightAlong, Vector3 Ligh
             ? _objects[owner["m_Component"]!.List()[0].Field("component").FileId()]
             : throw new FormatException($"&{owner.FileId} is no GameObject");
 
-        private UnityObject? Father(UnityObject transform) =>
-            transform.ClassId == TransformId ? _objects.GetValueOrDefault(transform["m_Father"]!.FileId()) : throw new FormatException($"&{transform.FileId} is no Transform");
+        private UnityObject? Father(UnityObject transform) => transform.ClassId == TransformId
+            ? _objects.GetValueOrDefault(transform["m_Father"]!.FileId())
+            : throw new FormatException($"&{transform.FileId} is no Transform");
 
         private static string Name(UnityObject owner) => owner["m_Name"]!.Text();
 
