@@ -88,7 +88,8 @@ internal static class BodyByBodyReport
 
         if (found.OneStep.Count > 0)
         {
-            string step = CostTables.Step(found.OneStep[0].Step);
+            // all digits: it is to be written into the file
+            string step = found.OneStep[0].Step.ToString("R", CultureInfo.InvariantCulture);
             yield return Line(BodyByBody.CostOf(found.OneStep), $"in one scene, whose file then says \"step\": {step} and the integrators on the right");
         }
 
