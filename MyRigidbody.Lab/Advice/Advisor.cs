@@ -47,7 +47,7 @@ public static class Advisor
                     break;
 
                 Trial trial = Trial.Of(scene, truth, Catalogue.Rows[i], parts);
-                isBelow = trial.Error + truth.Uncertainty < error;
+                isBelow = IsBelow(trial, truth, error);
                 if (isBelow)
                     below.Add(trial);
 
@@ -63,10 +63,16 @@ public static class Advisor
             return new Advice(truth, closest!, null, Why(truth, closest!, error, risesAgain));
 
         StepClock.Take(below, SecondsPerTurn, Turns, done => progress?.Invoke(0.8 + 0.2 * done));
-        Trial best = below.First(trial => trial.Cost <= SameCost * Cheapest(below)!.Cost);
+        Trial best = FirstOfCheapest(below);
         below.Remove(best);
         return new Advice(truth, best, Cheapest(below), string.Empty);
     }
+
+    /// <summary>True if a trial keeps the bound, whatever the truth is uncertain by.</summary>
+    internal static bool IsBelow(Trial trial, Truth truth, double error) => trial.Error + truth.Uncertainty < error;
+
+    /// <summary>The cheapest of some trials whose time was taken; of those that cost the same, the one that stands first.</summary>
+    internal static Trial FirstOfCheapest(List<Trial> trials) => trials.First(trial => trial.Cost <= SameCost * Cheapest(trials)!.Cost);
 
     private static Trial? Cheapest(List<Trial> trials) => trials.MinBy(trial => trial.Cost);
 

@@ -3,11 +3,12 @@ namespace RigidBodyDynamics.Lab;
 /// <summary>One rule at one step on one scene: how far it is from the truth, and what it costs.</summary>
 public sealed class Trial
 {
-    private Trial(Scene scene, CatalogueRow row, double step)
+    private Trial(Scene scene, CatalogueRow row, double step, int parts)
     {
         Scene = scene;
         Row = row;
         Step = step;
+        Parts = parts;
     }
 
     /// <summary>The rule.</summary>
@@ -15,6 +16,9 @@ public sealed class Trial
 
     /// <summary>Length of its steps, s.</summary>
     public double Step { get; }
+
+    /// <summary>How many of them make a base step of the truth.</summary>
+    public int Parts { get; }
 
     /// <summary>How many steps there are to the last sample.</summary>
     public long Steps => Scene.Steps.Count;
@@ -52,7 +56,7 @@ public sealed class Trial
         Guard.NotNull(truth, nameof(truth));
         double step = truth.BaseStep / (parts >= 1 ? parts : throw Guard.Refused(nameof(parts), parts, "must be at least 1"));
         TimeSteps steps = TimeSteps.Every(step, truth.Samples[truth.Samples.Count - 1].At * parts);
-        Trial trial = new Trial(StepFree.By(StepFree.Of(scene), Guard.NotNull(row, nameof(row)).Name, steps), row, step);
+        Trial trial = new Trial(StepFree.By(StepFree.Of(scene), Guard.NotNull(row, nameof(row)).Name, steps), row, step, parts);
         try
         {
             trial.Compare(truth, parts);

@@ -16,7 +16,7 @@ internal static class BenchCommand
     {
         Option<string> output = new("--out") { Description = "the CSV file", DefaultValueFactory = _ => DefaultFile };
         Option<bool> quick = new("--quick") { Description = "fewer repeats, and no million bodies" };
-        Command command = new("bench", "Time per step of every rule, of each effect on, idle and absent, of one body and of many") { output, quick };
+        Command command = new("bench", "Time per step of every rule, of each effect on, idle and absent, of one body and of many, and of one body on Mono") { output, quick };
         command.SetAction(parsed => Execute(parsed.GetRequiredValue(output), parsed.GetValue(quick)));
         return command;
     }
@@ -36,14 +36,17 @@ internal static class BenchCommand
                 (count.ToString("N0", CultureInfo.InvariantCulture) + (count == 1 ? " body" : " bodies"), Suite.Many(count))),
         ];
         StringBuilder csv = new("what,bodies,threads,nanosecondsPerBodyStep,bytesAllocated\n");
+        OnMono onMono = null!;
         Terminal.WithProgress("taking the time", report =>
         {
             for (int i = 0; i < groups.Length; i++)
             {
                 int before = i;
                 bool isLong = groups[i].Group[0].Bodies > 10_000;
-                Measurement.Take(groups[i].Group, isQuick ? 5 : isLong ? 9 : 25, isLong ? 0.05 : 0.01, done => report((before + done) / groups.Length));
+                Measurement.Take(groups[i].Group, isQuick ? 5 : isLong ? 9 : 25, isLong ? 0.05 : 0.01, done => report((before + done) / (groups.Length + 1)));
             }
+
+            onMono = OnMono.Take(isQuick ? 5 : 25, done => report((groups.Length + done) / (groups.Length + 1)));
         });
 
         foreach ((string title, IReadOnlyList<Measurement> group) in groups)
@@ -60,6 +63,12 @@ internal static class BenchCommand
             Terminal.Out.Write(table);
         }
 
+        if (onMono.Problem.Length > 0)
+            Console.Out.WriteLine("One body on CoreCLR and on Mono: left out, because " + onMono.Problem);
+        else
+            Terminal.Out.Write(onMono.Table());
+
+        csv.Append(onMono.Csv());
         Terminal.Out.Write(Ratios.Table([.. groups.SelectMany(group => group.Group)]));
         using Files files = new(folder, file);
         files.Write(Path.GetFileName(file), temporary => File.WriteAllText(temporary, csv.ToString(), new UTF8Encoding(false)));

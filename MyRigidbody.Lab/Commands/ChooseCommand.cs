@@ -1,12 +1,13 @@
 using System.CommandLine;
 using System.Text.Json;
+using System.Text.Json.Nodes;
 using RigidBodyDynamics.Lab.Comparison;
 using RigidBodyDynamics.Lab.Output;
 using Spectre.Console;
 
 namespace RigidBodyDynamics.Lab.Commands;
 
-/// <summary>The cheapest integrator and step that keep the error of a scene below a bound.</summary>
+/// <summary>The cheapest integrator and step that keep the error of a scene below a bound, and of each body by itself.</summary>
 internal static class ChooseCommand
 {
     private const double SecondsPerTurn = 0.005;
@@ -23,7 +24,12 @@ internal static class ChooseCommand
             CustomParser = Numbers.Parse,
         };
         Option<bool> json = new("--json") { Description = "as JSON" };
-        Command command = new("choose", "The cheapest integrator and step that keep the error below E, by measurement") { scene, error, json };
+        Command command = new("choose", "The cheapest integrator and step that keep the error below E, by measurement: for all bodies, and body by body")
+        {
+            scene,
+            error,
+            json,
+        };
         command.SetAction(parsed => Execute(parsed.GetValue(scene)!, parsed.GetValue(error), parsed.GetValue(json)));
         return command;
     }
@@ -34,22 +40,38 @@ internal static class ChooseCommand
         Scene scene = Overrides.Named(path, () => StepFree.Of(SceneReader.Read(path).Scene));
         Advice advice = null!;
         Trial lab = null!;
+        BodyByBody? each = null;
         Terminal.WithProgress("choose " + scene.Name, report =>
         {
-            advice = Overrides.Named(path, () => Advisor.Choose(scene, error, report));
+            // one body by itself is the whole scene
+            double share = scene.Bodies.Count == 1 ? 1 : 0.5;
+            advice = Overrides.Named(path, () => Advisor.Choose(scene, error, done => report(share * done)));
             // the lab's step beside the chosen one, in turns
-            lab = Trial.Of(scene, advice.Truth, Catalogue.Find("LabEuler"), (int)Math.Round(advice.Truth.BaseStep / advice.Best.Step));
+            lab = Trial.Of(scene, advice.Truth, Catalogue.Find("LabEuler"), advice.Best.Parts);
             StepClock.Take([lab, advice.Best], SecondsPerTurn, Turns);
+            if (scene.Bodies.Count > 1)
+            {
+                each = Overrides.Named(path, () => BodyByBody.Of(scene, advice, error, done => report(share + ((1 - share) * done))));
+            }
         });
 
         if (asJson)
-            Console.Out.WriteLine(Json(scene, error, advice, lab));
+        {
+            Console.Out.WriteLine(Json(scene, error, advice, lab, each));
+        }
         else
+        {
             Print(scene, error, advice, lab);
+            if (each != null)
+            {
+                BodyByBodyReport.Print(scene, error, advice, each);
+            }
+        }
 
         return advice.Reached
             ? 0
-            : throw new FellShortException(FormattableString.Invariant($"{path}: no integrator and step keep the error below {error:R}: {advice.Reason}"));
+            : throw new FellShortException(FormattableString.Invariant($"{path}: no integrator and step keep the error below {error:R}: {advice.Reason}")
+                + (each is { Reached: true } ? "; body by body they do" : string.Empty));
     }
 
     private static void Print(Scene scene, double error, Advice advice, Trial lab)
@@ -83,8 +105,9 @@ internal static class ChooseCommand
             new Text(CostTables.Number(trial.NanosecondsPerStep / lab.NanosecondsPerStep)));
     }
 
-    private static string Json(Scene scene, double error, Advice advice, Trial lab) => JsonSerializer.Serialize(
-        new
+    private static string Json(Scene scene, double error, Advice advice, Trial lab, BodyByBody? each)
+    {
+        JsonObject answer = Node(new
         {
             scene = scene.Name,
             error,
@@ -104,8 +127,18 @@ internal static class ChooseCommand
                 timesAsDear = advice.Factor,
             },
             truth = new { uncertainty = advice.Truth.Uncertainty, attainable = advice.Truth.Floor },
-        },
-        CompareSummary.Options);
+        }).AsObject();
+        if (each != null)
+        {
+            answer.Add("bodies", Node(BodyByBodyReport.Bodies(scene, each)));
+            answer.Add("oneStep", Node(BodyByBodyReport.OneStep(scene, each)));
+            answer.Add("secondsTogether", Node(BodyByBodyReport.Together(each)));
+        }
+
+        return answer.ToJsonString(CompareSummary.Options);
+    }
+
+    private static JsonNode Node(object? value) => JsonSerializer.SerializeToNode(value, CompareSummary.Options)!;
 
     private static double? OrNull(double value) => Guard.IsFinite(value) ? value : null;
 }

@@ -1,4 +1,5 @@
 using System;
+using System.Globalization;
 
 namespace RigidBodyDynamics.StepTimes
 {
@@ -16,6 +17,12 @@ namespace RigidBodyDynamics.StepTimes
             if (arguments.Length == 1 && arguments[0] == "endurance")
                 return Endurance.Run() ? 0 : 1;
 
+            if (arguments.Length > 0 && arguments[0] == "rules" && TryRepeats(arguments, out int repeats))
+            {
+                RuleTimes.Print(repeats);
+                return 0;
+            }
+
 #if NET
             if (arguments.Length == 1 && arguments[0] == "batch")
             {
@@ -24,8 +31,15 @@ namespace RigidBodyDynamics.StepTimes
             }
 
 #endif
-            Console.Error.WriteLine("usage: StepTimes [endurance | batch]");
+            Console.Error.WriteLine("usage: StepTimes [endurance | batch | rules [REPEATS]]");
             return 2;
+        }
+
+        private static bool TryRepeats(string[] arguments, out int repeats)
+        {
+            repeats = 25;
+            return arguments.Length == 1
+                || (arguments.Length == 2 && int.TryParse(arguments[1], NumberStyles.None, CultureInfo.InvariantCulture, out repeats) && repeats > 0);
         }
     }
 }

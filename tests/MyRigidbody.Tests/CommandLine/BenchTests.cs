@@ -1,4 +1,5 @@
 using NUnit.Framework;
+using RigidBodyDynamics.Lab;
 using RigidBodyDynamics.Lab.Bench;
 
 namespace RigidBodyDynamics.Tests.CommandLine;
@@ -41,5 +42,41 @@ public sealed class BenchTests
         Assert.That(quiet.Spread.High, Is.GreaterThanOrEqualTo(quiet.Median));
         Assert.That(loud.BytesAllocated, Is.GreaterThan(0));
         Assert.That(quiet.RatioTo(quiet), Is.EqualTo(1));
+    }
+
+    [Test]
+    public void Times_of_both_runtimes_are_read_by_name_and_what_is_no_time_is_passed_over()
+    {
+        const string coreClr = "free body by Exact,50\nlab's step, by the library,80.5\nfree body by LabEuler,20\n";
+        const string mono = "a warning, of the runtime\r\nlab's step, by the library,805\r\nfree body by Exact,1.5E+02\r\nfree body by LabEuler,NaN\r\n";
+
+        OnMono found = OnMono.Of(coreClr, mono);
+
+        Assert.That(found.Problem, Is.Empty);
+        Assert.That(found.Times, Is.EqualTo(new[] { new OnMono.Row("free body by Exact", 50, 150), new OnMono.Row("lab's step, by the library", 80.5, 805) }));
+        Assert.That(found.Csv(), Is.EqualTo("\"free body by Exact, on Mono\",1,1,150,\n\"lab's step, by the library, on Mono\",1,1,805,\n"));
+        Assert.That(OnMono.Of(coreClr, "no line of these").Problem, Does.Contain("no time"));
+    }
+
+    [Test]
+    public void Program_that_cannot_be_run_fails_or_does_not_end_is_a_problem_in_one_line()
+    {
+        string dotnet = OtherProgram.OnPath("dotnet")!, lab = Path.Combine(AppContext.BaseDirectory, "MyRigidbody.Lab.dll");
+        using TemporaryFolder folder = new();
+        File.Copy(Path.Combine(Gallery.Folder, "heavy-top.json"), folder.File("heavy top.json"));
+
+        OtherProgram runs = Run(dotnet, 60, lab, "run", folder.File("heavy top.json"), "--every", "0");
+        OtherProgram missing = Run(folder.File("no such program"), 60);
+        OtherProgram fails = Run(dotnet, 60, lab, "run", "missing.json");
+        OtherProgram goesOn = Run(dotnet, 0.2, lab, "bench", "--out", folder.File("bench.csv"));
+
+        Assert.That(runs, Has.Property("Problem").Empty.And.Property("Output").Contain("top,1000,"));
+        Assert.That(missing.Problem, Does.StartWith("no such program cannot be run: "));
+        Assert.That(fails.Problem, Does.StartWith("dotnet ended with exit code 2: error: missing.json"));
+        Assert.That(goesOn.Problem, Is.EqualTo("dotnet did not end within 0.2 s"));
+        Assert.That(new[] { missing, fails, goesOn }.Select(program => program.Output + program.Problem), Has.None.Contains("\n"));
+
+        static OtherProgram Run(string program, double seconds, params string[] arguments) =>
+            OtherProgram.Run(program, arguments, new Dictionary<string, string>(), TimeSpan.FromSeconds(seconds));
     }
 }

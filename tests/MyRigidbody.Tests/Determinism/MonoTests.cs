@@ -1,10 +1,11 @@
 using System.Diagnostics;
 using System.Globalization;
 using NUnit.Framework;
+using RigidBodyDynamics.Lab.Bench;
 
 namespace RigidBodyDynamics.Tests.Determinism;
 
-/// <summary>Unity's editor runs on Mono, so Mono must come to the same bits.</summary>
+/// <summary>Unity's editor runs on Mono, so Mono must come to the same bits, and its times are of interest.</summary>
 public sealed class MonoTests
 {
     // Debian's Mono keeps float in float, Unity's in double
@@ -12,19 +13,25 @@ public sealed class MonoTests
     [TestCase("-O=-float32")]
     public void Mono_comes_to_the_same_bits(string option)
     {
-        string mono = OnPath("mono") ?? string.Empty;
-        if (mono.Length == 0)
-        {
-            Assert.Ignore("there is no Mono on the PATH");
-        }
-
-        ProcessStartInfo start = new(mono, [option, Program()]) { RedirectStandardOutput = true };
+        ProcessStartInfo start = new(MonoOrSkip(), [option, Program()]) { RedirectStandardOutput = true };
         using Process process = Process.Start(start)!;
         string printed = process.StandardOutput.ReadToEnd().Trim();
         process.WaitForExit();
 
         Assert.That(process.ExitCode, Is.Zero);
         Assert.That(printed, Is.EqualTo(FingerprintTests.Golden.ToString("x16", CultureInfo.InvariantCulture)));
+    }
+
+    [Test]
+    public void Bench_times_on_Mono_what_it_times_on_CoreCLR()
+    {
+        MonoOrSkip();
+
+        OnMono found = OnMono.Take(1, _ => { });
+
+        Assert.That(found.Problem, Is.Empty);
+        Assert.That(found.Times.Select(row => row.What), Is.EqualTo(Suite.Rules().Append(Suite.ByHand()[1]).Select(measurement => measurement.What)));
+        Assert.That(found.Times.SelectMany(row => new[] { row.CoreClr, row.Mono }), Is.All.GreaterThan(0));
     }
 
     /// <summary>The net472 build, which stands beside this one: bin/PROJECT/release, bin/PROJECT/release_net472.</summary>
@@ -35,9 +42,12 @@ public sealed class MonoTests
             own.Parent!.Parent!.FullName, "MyRigidbody.BitHash", own.Name + "_net472", "MyRigidbody.BitHash.exe");
     }
 
-    private static string? OnPath(string command) =>
-        (Environment.GetEnvironmentVariable("PATH") ?? string.Empty)
-            .Split(Path.PathSeparator, StringSplitOptions.RemoveEmptyEntries)
-            .SelectMany(folder => new[] { Path.Combine(folder, command), Path.Combine(folder, command + ".exe") })
-            .FirstOrDefault(File.Exists);
+    private static string MonoOrSkip()
+    {
+        if (OtherProgram.OnPath("mono") is string mono)
+            return mono;
+
+        Assert.Ignore("there is no Mono on the PATH");
+        return string.Empty;
+    }
 }

@@ -1,0 +1,81 @@
+namespace RigidBodyDynamics.Lab;
+
+/// <summary>
+/// What is advised for each body of a scene by itself. Bodies do not feel each other, so each may have its own rule and
+/// its own step; in one scene they have rules of their own, but share the step.
+/// </summary>
+public sealed class BodyByBody
+{
+    private const double SecondsPerTurn = 0.005;
+    private const int Turns = 20;
+
+    private BodyByBody(IReadOnlyList<Advice> own, IReadOnlyList<Trial> oneRule, IReadOnlyList<Trial> oneStep)
+    {
+        Own = own;
+        OneRule = oneRule;
+        OneStep = oneStep;
+    }
+
+    /// <summary>For each body, in the order of the scene: the cheapest rule and step, as if it were alone.</summary>
+    public IReadOnlyList<Advice> Own { get; }
+
+    /// <summary>The rule and step that were advised for all, on each body; empty where there are none.</summary>
+    public IReadOnlyList<Trial> OneRule { get; }
+
+    /// <summary>For each body the cheapest rule in steps of one length for all; empty where some body has none.</summary>
+    public IReadOnlyList<Trial> OneStep { get; }
+
+    /// <summary>True if every body by itself is kept below the bound.</summary>
+    public bool Reached => Own.All(advice => advice.Reached);
+
+    /// <summary>Time for a simulated second of all bodies, s.</summary>
+    public static double CostOf(IEnumerable<Trial> trials) => trials.Sum(trial => trial.Cost);
+
+    /// <summary>Chooses for each body of a scene.</summary>
+    /// <param name="scene">Taken as <see cref="StepFree"/> makes it.</param>
+    /// <param name="forAll">What is advised for the scene as a whole.</param>
+    /// <param name="error">The bound, as in <see cref="Advisor.Choose(Scene, double, Action{double}?)"/>.</param>
+    /// <param name="progress">Told the fraction that is done.</param>
+    /// <remarks>
+    /// Two steps are tried for all: the shortest that a body takes by itself, and that of the one rule. In longer ones
+    /// the body that needs the shortest would pay more than it must, in shorter ones all others would.
+    /// </remarks>
+    public static BodyByBody Of(Scene scene, Advice forAll, double error, Action<double>? progress = null)
+    {
+        Guard.NotNull(forAll, nameof(forAll));
+        Scene[] alone = [.. Guard.NotNull(scene, nameof(scene)).Bodies.Select(body => new Scene(body.Name, string.Empty, scene.Steps, [body]))];
+        Advice[] own = new Advice[alone.Length];
+        for (int i = 0; i < own.Length; i++)
+        {
+            int before = i;
+            own[i] = Advisor.Choose(alone[i], error, done => progress?.Invoke(0.8 * (before + done) / alone.Length));
+        }
+
+        Trial[] oneRule = forAll.Reached
+            ? [.. alone.Select((body, i) => Trial.Of(body, own[i].Truth, forAll.Best.Row, forAll.Best.Parts))]
+            : [];
+        List<Trial>[][] byStep = [.. StepsForAll(own, forAll)
+            .Select(parts => alone.Select((body, i) => Below(body, own[i], parts, error)).ToArray())
+            .Where(bodies => bodies.All(trials => trials.Count > 0))];
+
+        // what is added up and compared is timed in the same turns
+        Trial[] all = [.. own.Select(advice => advice.Best).Concat(oneRule).Concat(byStep.SelectMany(bodies => bodies).SelectMany(trials => trials)).Distinct()];
+        StepClock.Take(all, SecondsPerTurn, Turns, done => progress?.Invoke(0.8 + 0.2 * done));
+        return new BodyByBody(own, oneRule, byStep.Select(bodies => bodies.Select(Advisor.FirstOfCheapest).ToArray()).MinBy(CostOf) ?? []);
+    }
+
+    /// <summary>As parts of a base step, which all bodies have in common, because it depends on the duration only.</summary>
+    private static IEnumerable<int> StepsForAll(Advice[] own, Advice forAll)
+    {
+        if (!own.All(advice => advice.Reached))
+            return [];
+
+        int shortest = own.Max(advice => advice.Best.Parts);
+        return forAll.Reached ? new[] { shortest, forAll.Best.Parts }.Distinct() : [shortest];
+    }
+
+    /// <summary>The rules that keep a body below the bound; in its own step only its own, which is known to be the cheapest.</summary>
+    private static List<Trial> Below(Scene alone, Advice own, int parts, double error) => own.Best.Parts == parts
+        ? [own.Best]
+        : [.. Catalogue.Rows.Select(row => Trial.Of(alone, own.Truth, row, parts)).Where(trial => Advisor.IsBelow(trial, own.Truth, error))];
+}

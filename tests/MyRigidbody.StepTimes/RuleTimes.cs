@@ -1,0 +1,97 @@
+using System;
+using System.Collections.Generic;
+using System.Diagnostics;
+using System.Globalization;
+
+namespace RigidBodyDynamics.StepTimes
+{
+    /// <summary>
+    /// One body by every rule, for <c>bench</c>, which runs this program on Mono and on CoreCLR: lines of a name and the
+    /// nanoseconds of a step, the median of many short runs in turn. Bodies and names are those of bench.csv.
+    /// </summary>
+    internal static class RuleTimes
+    {
+        private const double SecondsPerRun = 0.01, WarmUp = 0.3;
+
+        public static void Print(int repeats)
+        {
+            List<Row> rows = new List<Row>();
+            foreach (CatalogueRow rule in Catalogue.Rows)
+                rows.Add(new Row("free body by " + rule.Name, Body(rule.Name, new Vector3d(1, 2, 3))));
+
+            rows.Add(new Row("lab's step, by the library", Body("LabEuler", new Vector3d(0.5, 0.5, 0.5))
+                .With(new Gravity(new Vector3d(0, -9.81, 0))).With(new DecayPerStep(0.98, 0.98))
+                .With(new Force(new Vector3d(5, 1, 2))).With(new Key(LabKey.R))));
+
+            foreach (Row row in rows)
+                row.Warm();
+
+            for (int i = 0; i < repeats; i++)
+            {
+                foreach (Row row in rows)
+                    row.Run();
+            }
+
+            foreach (Row row in rows)
+                Console.WriteLine(row.What + "," + row.Median.ToString("R", CultureInfo.InvariantCulture));
+        }
+
+        private static BodyDescription Body(string rule, Vector3d moments) => new BodyDescription("body", MassProperties.FromPrincipal(1, moments))
+        {
+            Integrator = rule,
+            Start = new BodyState(Vector3d.Zero, Quaterniond.Identity, new Vector3d(1, 2, 3), new Vector3d(1, 1.1, 0.9)),
+            Unity = new UnitySettings { MaxAngularVelocity = double.PositiveInfinity },
+        };
+
+        private sealed class Row
+        {
+            private readonly Simulation _simulation;
+            private readonly List<double> _times = new List<double>();
+            private long _steps = 1;
+
+            public Row(string what, BodyDescription body)
+            {
+                What = what;
+                // what a step costs is asked for, so each is taken
+                _simulation = new Simulation(
+                    new Scene("rules", string.Empty, TimeSteps.Every(0.02), new[] { body }), Omissions.All & ~Omissions.Coasting);
+            }
+
+            public string What { get; }
+
+            public double Median
+            {
+                get
+                {
+                    List<double> sorted = new List<double>(_times);
+                    sorted.Sort();
+                    return sorted[sorted.Count / 2];
+                }
+            }
+
+            /// <summary>Many short calls first, because a runtime counts them before it compiles well; then as many steps as fill a run.</summary>
+            public void Warm()
+            {
+                Stopwatch clock = Stopwatch.StartNew();
+                double last = 0;
+                while (clock.Elapsed.TotalSeconds < WarmUp)
+                {
+                    last = Seconds();
+                    if (last < 1e-3)
+                        _steps = Math.Min(2 * _steps, 1 << 16);
+                }
+
+                _steps = Math.Max(1, (long)(_steps * SecondsPerRun / Math.Max(last, 1e-9)));
+            }
+
+            public void Run() => _times.Add(1e9 * Seconds() / _steps);
+
+            private double Seconds()
+            {
+                Stopwatch clock = Stopwatch.StartNew();
+                _simulation.Step(_steps);
+                return clock.Elapsed.TotalSeconds;
+            }
+        }
+    }
+}
