@@ -27,8 +27,6 @@ public sealed class RefusedValueTests
             ("coast", () => new BodyDescription("b", ball).With((ICoast)null!)),
             ("hand", () => _ = new HeldBy(null!)),
             ("keyboard", () => _ = new HeldKeys(null!)),
-            ("key", () => new Keyboard()[(LabKey)5] = true),
-            ("key", () => _ = new Keyboard()[(LabKey)(-1)]),
             ("pushes", () => _ = new Many(null!)),
             ("force", () => _ = new PerStep(null!, [])),
             ("torque", () => _ = new PerStep([], null!)),

@@ -50,6 +50,11 @@ public sealed class KeyboardTests
         Assert.That(simulation.Bodies[0].State, Is.EqualTo(BodyState.AtRest).Using<BodyState>(HasSameBits));
     }
 
+    [TestCase(-1)]
+    [TestCase(5)]
+    public void Key_that_the_lab_does_not_have_is_refused(int key) => Assert.That(
+        () => new Keyboard()[(LabKey)key] = true, Throws.InstanceOf<ArgumentOutOfRangeException>().With.Message.Contains("found " + key));
+
     private static IEnumerable<string> Rules() => Catalogue.Rows.Select(row => row.Name);
 
     private static BodyDescription Body(string rule) => new("body", Solids.Box(2, new Vector3d(1, 2, 3))) { Integrator = rule };
