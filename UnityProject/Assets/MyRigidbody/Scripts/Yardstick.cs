@@ -56,7 +56,7 @@ namespace RigidBodyDynamics.Scripts
             {
                 // a body that coasts is not computed before somebody looks
                 simulation.Step();
-                BodyState seen = simulation.Bodies[0].State;
+                _ = simulation.Bodies[0].State;
             }
 
             double nanoseconds = 1e9 * clock.ElapsedTicks / Stopwatch.Frequency / Timed;

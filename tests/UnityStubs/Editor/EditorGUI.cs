@@ -1,0 +1,49 @@
+using System.Collections.Generic;
+using UnityEngine;
+using UnityStubs;
+
+namespace UnityEditor
+{
+    /// <summary>Controls of inspectors.</summary>
+    public sealed class EditorGUILayout
+    {
+        public static bool PropertyField(SerializedProperty property, bool includeChildren, params GUILayoutOption[] options)
+        {
+            Gui.Control("property", property.displayName);
+            return false;
+        }
+
+        public static void HelpBox(string message, MessageType type) => Gui.Control("help " + type, message);
+
+        public static int Popup(GUIContent label, int selectedIndex, string[] displayedOptions, params GUILayoutOption[] options) =>
+            Gui.Menu(label.text, selectedIndex);
+    }
+
+    /// <summary>Whether something has been changed.</summary>
+    public sealed class EditorGUI
+    {
+        private static readonly Stack<bool> Outer = new Stack<bool>();
+
+        public static void BeginChangeCheck()
+        {
+            Outer.Push(Gui.HasChanged);
+            Gui.HasChanged = false;
+        }
+
+        public static bool EndChangeCheck()
+        {
+            bool hasChanged = Gui.HasChanged;
+            Gui.HasChanged |= Outer.Pop();
+            return hasChanged;
+        }
+    }
+
+    /// <summary>How urgent a message is.</summary>
+    public enum MessageType
+    {
+        None,
+        Info,
+        Warning,
+        Error,
+    }
+}

@@ -1,0 +1,28 @@
+using System.IO;
+using System.Linq;
+using UnityEngine;
+using UnityEngine.SceneManagement;
+using UnityStubs;
+
+namespace UnityEditor
+{
+    /// <summary>What the editor can do with objects.</summary>
+    public sealed class GameObjectUtility
+    {
+        public static int GetMonoBehavioursWithMissingScriptCount(GameObject go) => go.Components.Count(component => component is null);
+    }
+}
+
+namespace UnityEditor.SceneManagement
+{
+    /// <summary>Opens scenes in the editor.</summary>
+    public sealed class EditorSceneManager : SceneManager
+    {
+        /// <summary>Opens a scene in place of the present one.</summary>
+        public static Scene OpenScene(string scenePath)
+        {
+            World.Load(Path.GetFileNameWithoutExtension(scenePath), SceneLoader.InProject(scenePath));
+            return GetActiveScene();
+        }
+    }
+}

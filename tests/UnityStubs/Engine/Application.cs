@@ -1,0 +1,34 @@
+using System.IO;
+using UnityStubs;
+
+namespace UnityEngine
+{
+    /// <summary>The program.</summary>
+    public static class Application
+    {
+        public static bool isPlaying => World.IsPlaying;
+
+        public static bool isEditor => true;
+
+        public static string unityVersion =>
+#if UNITY_6000_0_OR_NEWER
+            "6000.0.23f1";
+#elif UNITY_2022_3_OR_NEWER
+            "2022.3.62f1";
+#else
+            "2019.4.17f1";
+#endif
+
+        public static string persistentDataPath => Path.Combine(World.Folder, "persistent");
+
+        public static string temporaryCachePath => Path.Combine(World.Folder, "temporary");
+    }
+
+    /// <summary>The window.</summary>
+    public static class Screen
+    {
+        public static int width => World.ScreenWidth;
+
+        public static int height => World.ScreenHeight;
+    }
+}

@@ -1,0 +1,29 @@
+using System;
+using NUnit.Framework;
+using NUnit.Framework.Interfaces;
+
+[assembly: UnityStubs.FreshWorld]
+
+namespace UnityStubs
+{
+    /// <summary>
+    /// Every test has a world of its own, in play mode but for those of the namespace Edit; and what is in the console at its end
+    /// must have been expected.
+    /// </summary>
+    [AttributeUsage(AttributeTargets.Assembly)]
+    internal sealed class FreshWorldAttribute : Attribute, ITestAction
+    {
+        public ActionTargets Targets => ActionTargets.Test;
+
+        public void BeforeTest(ITest test) => World.Begin(isPlaying: !test.ClassName.Contains(".Edit."));
+
+        public void AfterTest(ITest test)
+        {
+            string fault = UnityConsole.Fault();
+            World.End();
+            // a test that failed has said why
+            if (TestContext.CurrentContext.Result.Outcome.Status != TestStatus.Failed)
+                Assert.That(fault, Is.Null);
+        }
+    }
+}

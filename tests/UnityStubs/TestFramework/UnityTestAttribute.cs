@@ -1,0 +1,37 @@
+using System;
+using System.Collections;
+using NUnit.Framework;
+using NUnit.Framework.Interfaces;
+using NUnit.Framework.Internal;
+using NUnit.Framework.Internal.Builders;
+using NUnit.Framework.Internal.Commands;
+using UnityStubs;
+
+namespace UnityEngine.TestTools
+{
+    /// <summary>A test that waits for frames and fixed steps: an IEnumerator, run by the player.</summary>
+    [AttributeUsage(AttributeTargets.Method)]
+    public class UnityTestAttribute : NUnitAttribute, ISimpleTestBuilder, IWrapTestMethod, IImplyFixture
+    {
+        public TestMethod BuildFrom(IMethodInfo method, Test suite)
+        {
+            // NUnit wants a result expected of what is not void; the command below never looks at it
+            TestCaseParameters parameters = new TestCaseParameters { ExpectedResult = null };
+            return new NUnitTestCaseBuilder().BuildTestMethod(method, suite, parameters);
+        }
+
+        public TestCommand Wrap(TestCommand command) => new Command(command);
+
+        private sealed class Command : DelegatingTestCommand
+        {
+            public Command(TestCommand innerCommand) : base(innerCommand) { }
+
+            public override TestResult Execute(TestExecutionContext context)
+            {
+                Player.Run((IEnumerator)Test.Method.Invoke(context.TestObject));
+                context.CurrentResult.SetResult(ResultState.Success);
+                return context.CurrentResult;
+            }
+        }
+    }
+}
