@@ -8,7 +8,7 @@ using UnityStubs;
 namespace UnityEditor
 {
     /// <summary>What is saved of an object: its public fields and those marked as saved.</summary>
-    public class SerializedObject
+    public class SerializedObject : IDisposable
     {
         private readonly UnityEngine.Object _target;
         private readonly Dictionary<string, object> _values = new Dictionary<string, object>();
@@ -51,6 +51,8 @@ namespace UnityEditor
 
             return isModified;
         }
+
+        public void Dispose() { }
 
         internal object Get(string field) => _values[field];
 

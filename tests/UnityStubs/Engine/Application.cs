@@ -19,6 +19,8 @@ namespace UnityEngine
             "2019.4.17f1";
 #endif
 
+        public static string dataPath => SceneLoader.InProject("Assets");
+
         public static string persistentDataPath => Path.Combine(World.Folder, "persistent");
 
         public static string temporaryCachePath => Path.Combine(World.Folder, "temporary");

@@ -10,7 +10,7 @@ namespace UnityEngine
 #if ENABLE_LEGACY_INPUT_MANAGER
             return Keys.IsDown(key);
 #else
-            throw new InvalidOperationException("You are trying to read Input using the UnityEngine.Input class, but you have switched active Input handling to Input System package in Player Settings.");
+            throw new System.InvalidOperationException("You are trying to read Input using the UnityEngine.Input class, but you have switched active Input handling to Input System package in Player Settings.");
 #endif
         }
     }

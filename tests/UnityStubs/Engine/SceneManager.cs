@@ -11,16 +11,16 @@ namespace UnityEngine.SceneManagement
 
         public string name { get; }
 
-        public bool isLoaded => IsValid() && name == World.SceneName;
+        public bool isLoaded => IsValid() && name == World.SceneName && !World.IsLoading;
 
         public int rootCount => GetRootGameObjects().Length;
 
         public bool IsValid() => name != null;
 
-        /// <summary>In the order of the hierarchy.</summary>
-        public GameObject[] GetRootGameObjects() => IsValid()
+        /// <summary>In the order of the hierarchy. Not before the scene is loaded: versions differ in what Awake gets.</summary>
+        public GameObject[] GetRootGameObjects() => isLoaded
             ? World.Objects.Where(o => o.transform.parent == null && !o.Survives).ToArray()
-            : throw new ArgumentException("The scene is invalid.");
+            : throw new ArgumentException("The scene is not loaded.");
     }
 
     /// <summary>Loads scenes.</summary>

@@ -62,6 +62,9 @@ namespace UnityStubs
                 Directory.Delete(Folder, recursive: true);
         }
 
+        /// <summary>True while the objects of a scene are made and woken.</summary>
+        internal static bool IsLoading { get; private set; }
+
         internal static void Add(Object made)
         {
             if (made is GameObject holder)
@@ -128,7 +131,15 @@ namespace UnityStubs
                 Destroy(root);
 
             SceneName = name;
-            SceneLoader.Load(path);
+            IsLoading = true;
+            try
+            {
+                SceneLoader.Load(path);
+            }
+            finally
+            {
+                IsLoading = false;
+            }
         }
     }
 }

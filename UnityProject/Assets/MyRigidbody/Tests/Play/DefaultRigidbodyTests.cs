@@ -1,0 +1,72 @@
+using System.Collections;
+using NUnit.Framework;
+using UnityEngine;
+using UnityEngine.TestTools;
+
+namespace RigidBodyDynamics.Scripts.Tests.Play
+{
+    /// <summary>The engine's body moves as the library says that it does.</summary>
+    public sealed class DefaultRigidbodyTests : PlayTest
+    {
+        // m, and 1 for each number of the orientation, and both per s. The rule is the engine's to the bit, but what goes in is
+        // not: the engine computes the box's inertia and the torque's sine in float, and a script cannot see when it sleeps
+        private const double Bound = 1e-3;
+
+        [UnityTest]
+        public IEnumerator It_moves_by_the_librarys_UnityRigidbody()
+        {
+            yield return new WaitForFixedUpdate();
+            DefaultRigidbody body = MakeDefault();
+            yield return Compare(body, Solids.Box(1, new Vector3d(1, 1, 1)), new UnitySettings());
+        }
+
+        [UnityTest]
+        public IEnumerator It_does_so_with_drag_the_labs_inertia_and_without_a_limit()
+        {
+            yield return new WaitForFixedUpdate();
+            DefaultRigidbody body = MakeDefault(b =>
+            {
+                b.drag = b.angularDrag = 1;
+                b.hasLabInertia = true;
+                b.limitsSpin = false;
+            });
+            UnitySettings unity = new UnitySettings { Drag = 1, AngularDrag = 1, MaxAngularVelocity = 1e6 };
+            yield return Compare(body, PointMasses.BoxVertices(1, new Vector3d(1, 1, 1)), unity);
+        }
+
+        [UnityTest]
+        public IEnumerator A_torque_turns_the_solid_box_three_times_as_fast()
+        {
+            DefaultRigidbody solid = MakeDefault();
+            DefaultRigidbody lab = MakeDefault(b =>
+            {
+                b.hasLabInertia = true;
+                b.transform.position = new Vector3(10, 0, 0);
+            });
+            LabInput.HoldOnScreen(LabKey.R, true);
+            for (int step = 0; step < 10; step++)
+                yield return new WaitForFixedUpdate();
+
+            Assert.That(lab.State.AngularVelocity.X, Is.GreaterThan(0));
+            Assert.That(solid.State.AngularVelocity.X / lab.State.AngularVelocity.X, Is.EqualTo(3).Within(1e-3));
+        }
+
+        private static IEnumerator Compare(DefaultRigidbody body, MassProperties mass, UnitySettings unity)
+        {
+            Keyboard keyboard = new Keyboard();
+            BodyDescription expected = new BodyDescription("cube", mass) { Integrator = "UnityRigidbody", Unity = unity };
+            Simulation library = new Simulation(TimeSteps.Every(StepLength), expected.With(new HeldKeys(keyboard)));
+            for (int step = 0; step < 200; step++)
+            {
+                HoldKeys(step);
+                HoldKeys(keyboard, step);
+                yield return new WaitForFixedUpdate();
+                library.Step();
+                Assert.That(Numbers(body.State), Is.EqualTo(Numbers(library.Bodies[0].State)).Within(Bound), "step " + step);
+            }
+
+            Assert.That(body.State.Position.X, Is.GreaterThan(1));
+            Assert.That(body.State.AngularVelocity.Length, Is.GreaterThan(0.2));
+        }
+    }
+}
