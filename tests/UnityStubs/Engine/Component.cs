@@ -43,6 +43,9 @@ namespace UnityEngine
             }
         }
 
+        /// <summary>The switch as it is saved; no message is sent.</summary>
+        internal bool IsSwitchedOn { set => _enabled = value; }
+
         public bool isActiveAndEnabled => !IsDestroyed && _enabled && gameObject.activeInHierarchy;
     }
 

@@ -11,6 +11,9 @@ namespace UnityStubs
     /// <summary>Fills a part of an object with what the scene file says of it.</summary>
     internal sealed class SceneFields
     {
+        // Unity's number of its own cube
+        private const long CubeMesh = 10202;
+
         private readonly UnityObject _written;
         private readonly IReadOnlyDictionary<long, Component> _components;
 
@@ -23,7 +26,7 @@ namespace UnityStubs
         public void Fill(Component part)
         {
             if (part is Behaviour behaviour)
-                behaviour.enabled = Yaml.Number(_written["m_Enabled"]) != 0;
+                behaviour.IsSwitchedOn = Yaml.Number(_written["m_Enabled"]) != 0;
 
             switch (part)
             {
@@ -47,9 +50,6 @@ namespace UnityStubs
                     break;
             }
         }
-
-        // Unity's number of its own cube
-        private const long CubeMesh = 10202;
 
         private void Fill(Rigidbody body)
         {

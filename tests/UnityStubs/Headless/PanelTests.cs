@@ -1,0 +1,184 @@
+using System.Linq;
+using NUnit.Framework;
+using UnityEngine;
+using UnityStubs;
+
+namespace RigidBodyDynamics.Scripts.Tests.Headless
+{
+    /// <summary>The panel draws without a complaint, and its buttons do what they say.</summary>
+    public sealed class PanelTests
+    {
+        private Experiment _experiment;
+        private MyRigidbody _mine;
+        private DefaultRigidbody _theirs;
+
+        [SetUp]
+        public void Build()
+        {
+            _experiment = Laboratory.Build();
+            Frames(5);
+            _mine = _experiment.Mine.Single();
+            _theirs = _experiment.Theirs.Single();
+        }
+
+        [TearDown]
+        public void LetGo() => LabInput.LetGo();
+
+        [Test]
+        public void It_shows_every_body_its_rule_and_the_time()
+        {
+            string[] texts = Gui.Texts.ToArray();
+
+            Assert.That(texts, Has.Member("— My cube —").And.Member("— Default cube —").And.Member("LabEuler  ▼").And.Member("0.10 s"));
+            Assert.That(texts.Count(text => text.EndsWith(" J")), Is.EqualTo(2));
+            Assert.That(texts.Count(text => text.EndsWith(" ns")), Is.EqualTo(1));
+        }
+
+        [Test]
+        public void Pause_and_run_stop_and_go_on()
+        {
+            Gui.Click("pause 暂停");
+            Frames(5);
+            Assert.That(_experiment.Steps, Is.EqualTo(5));
+            Gui.Click("run 运行");
+            Frames(5);
+            Assert.That(_experiment.Steps, Is.EqualTo(10));
+        }
+
+        [Test]
+        public void One_step_is_one_step_and_pauses()
+        {
+            Gui.HoldDown("→");
+            Frames(1);
+            Gui.Click("one step 单步");
+            Frames(5);
+
+            Assert.That(_experiment.Steps, Is.EqualTo(7));
+            Assert.That(_experiment.IsPaused, Is.True);
+            Assert.That(_mine.State.Position.X, Is.GreaterThan(0));
+            Assert.That(_theirs.State.Position.X, Is.GreaterThan(0));
+            Assert.That(_theirs.transform.position.x, Is.EqualTo((float)_theirs.State.Position.X));
+        }
+
+        [Test]
+        public void Reset_goes_back()
+        {
+            Gui.HoldDown("→");
+            Frames(5);
+            Assert.That(_mine.State.Velocity.X, Is.GreaterThan(0));
+            Gui.HoldDown(null);
+            Gui.Click("reset 重置");
+
+            Assert.That(_experiment.Steps, Is.Zero);
+            Assert.That(_mine.State.Position.Length, Is.Zero);
+            Assert.That(_theirs.State.Position.Length, Is.Zero);
+        }
+
+        [Test]
+        public void Slow_takes_ten_times_as_long()
+        {
+            Gui.Click("slow 慢动作");
+            Frames(50);
+
+            Assert.That(_experiment.IsSlow, Is.True);
+            Assert.That(_experiment.Steps, Is.EqualTo(10).Within(1));
+            Gui.Click("slow 慢动作");
+            Assert.That(Time.timeScale, Is.EqualTo(1));
+        }
+
+        [TestCase("←", LabKey.LeftArrow)]
+        [TestCase("→", LabKey.RightArrow)]
+        [TestCase("↑", LabKey.UpArrow)]
+        [TestCase("↓", LabKey.DownArrow)]
+        [TestCase("R", LabKey.R)]
+        public void A_key_on_the_screen_is_held_as_long_as_the_mouse_is_down(string button, LabKey key)
+        {
+            Gui.HoldDown(button);
+            Frames(1);
+            Assert.That(LabInput.IsHeld(key), Is.True);
+            Gui.HoldDown(null);
+            Frames(1);
+            Assert.That(LabInput.IsHeld(key), Is.False);
+        }
+
+        [Test]
+        public void Each_rule_of_the_catalogue_can_be_chosen()
+        {
+            foreach (CatalogueRow row in Catalogue.Rows)
+            {
+                Gui.Click(_mine.integrator + "  ▼");
+                Frames(1);
+                Gui.Click(row.Name);
+                Frames(3);
+                Assert.That(_mine.Body.Integrator, Is.EqualTo(row.Name));
+                Assert.That(_experiment.Steps, Is.EqualTo(3));
+                Assert.That(Gui.Texts, Has.Member(row.Name + "  ▼"));
+            }
+        }
+
+        [Test]
+        public void The_menu_of_rules_closes_again()
+        {
+            Gui.Click("LabEuler  ▼");
+            Frames(1);
+            Assert.That(Gui.Texts, Has.Member("Exact6"));
+            Gui.Click("LabEuler  ▲");
+            Frames(1);
+            Assert.That(Gui.Texts, Has.No.Member("Exact6"));
+        }
+
+        [Test]
+        public void The_switches_of_the_engines_body_set_it_and_start_again()
+        {
+            Gui.Click("the lab's inertia, × 3 实验的惯量");
+            Assert.That(_experiment.Steps, Is.Zero);
+            Gui.Click("drag 1, as 0.98 a step 阻尼 1");
+            Gui.Click("at most 7 rad/s 限制角速度");
+            Gui.Click("pushed in Update 在 Update 中施力");
+            Frames(2);
+
+            Rigidbody body = _theirs.GetComponent<Rigidbody>();
+            Assert.That(body.inertiaTensor.x, Is.EqualTo(0.5f));
+            Assert.That(EngineVersions.Drag(body), Is.EqualTo(1));
+            Assert.That(EngineVersions.AngularDrag(body), Is.EqualTo(1));
+            Assert.That(body.maxAngularVelocity, Is.GreaterThan(1000));
+            Assert.That(_theirs.pushesInUpdate, Is.True);
+
+            Gui.Click("the lab's inertia, × 3 实验的惯量");
+            Gui.Click("drag 1, as 0.98 a step 阻尼 1");
+            Assert.That(body.inertiaTensor.x, Is.EqualTo(1f / 6).Within(1e-7f));
+            Assert.That(EngineVersions.AngularDrag(body), Is.EqualTo(0.05f));
+        }
+
+        [Test]
+        public void Record_and_stop_write_a_recording_and_say_where()
+        {
+            Gui.Click("record 录制");
+            Frames(5);
+            Gui.Click("stop 停止录制");
+            Frames(1);
+
+            Assert.That(_experiment.LastRecording, Does.StartWith(Application.persistentDataPath).And.EndWith(".json"));
+            Assert.That(System.IO.File.Exists(_experiment.LastRecording), Is.True);
+            Assert.That(Gui.Texts, Has.Member(_experiment.LastRecording));
+            Assert.That(UnityConsole.Lines.Last().Text, Does.Contain(_experiment.LastRecording));
+        }
+
+        [Test]
+        public void A_body_that_cannot_move_is_said_to_be_explained_in_the_console()
+        {
+            UnityConsole.IgnoresErrors = true;
+            _mine.mass = 0;
+            Gui.Click("reset 重置");
+            Frames(2);
+
+            Assert.That(Gui.Texts, Has.Member("see the console 请看控制台"));
+        }
+
+        private static void Frames(int count)
+        {
+            for (int i = 0; i < count; i++)
+                Player.Frame(0.02f);
+        }
+    }
+}
