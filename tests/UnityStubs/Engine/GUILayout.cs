@@ -73,5 +73,7 @@ namespace UnityEngine
         public static Matrix4x4 matrix { get; set; }
 
         public static GUISkin skin { get; } = new GUISkin();
+
+        public static void Label(Rect position, string text) => Gui.Control("tag", text);
     }
 }

@@ -33,6 +33,8 @@ namespace UnityEngine
 
         public bool activeSelf { get; private set; }
 
+        public string tag { get; set; } = "Untagged";
+
         public bool activeInHierarchy => !IsDestroyed && activeSelf && (transform.parent == null || transform.parent.gameObject.activeInHierarchy);
 
         public Scene scene => Survives ? new Scene("DontDestroyOnLoad") : SceneManager.GetActiveScene();

@@ -1,7 +1,24 @@
+using System;
+using System.Linq;
+using UnityStubs;
+
 namespace UnityEngine
 {
-    /// <summary>Looks at the scene.</summary>
-    public sealed class Camera : Behaviour { }
+    /// <summary>Looks at the scene along its z axis.</summary>
+    public sealed class Camera : Behaviour
+    {
+        public static Camera main => World.Objects.Where(o => o.tag == "MainCamera").Select(o => o.GetComponent<Camera>()).FirstOrDefault(camera => camera != null);
+
+        public float fieldOfView { get; set; } = 60;
+
+        /// <summary>Pixels from the lower left, and the distance in front of the camera.</summary>
+        public Vector3 WorldToScreenPoint(Vector3 position)
+        {
+            Vector3 seen = Quaternion.Inverse(transform.rotation) * (position - transform.position);
+            float perMetre = (float)(0.5 * Screen.height / Math.Tan(fieldOfView * Math.PI / 360)) / seen.z;
+            return new Vector3(0.5f * Screen.width + perMetre * seen.x, 0.5f * Screen.height + perMetre * seen.y, seen.z);
+        }
+    }
 
     /// <summary>Lights it.</summary>
     public sealed class Light : Behaviour { }

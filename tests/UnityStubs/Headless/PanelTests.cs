@@ -35,6 +35,20 @@ namespace RigidBodyDynamics.Scripts.Tests.Headless
         }
 
         [Test]
+        public void Names_stand_at_the_bodies_that_the_camera_sees_and_at_no_others()
+        {
+            GameObject eye = new GameObject("Main Camera") { tag = "MainCamera" };
+            eye.AddComponent<Camera>();
+            eye.transform.position = new Vector3(0, 0, -10);
+            Frames(1);
+            Assert.That(Tags(), Is.EqualTo(new[] { "My cube", "Default cube" }));
+
+            eye.transform.position = new Vector3(0, 0, 10);
+            Frames(1);
+            Assert.That(Tags(), Is.Empty);
+        }
+
+        [Test]
         public void Pause_and_run_stop_and_go_on()
         {
             Gui.Click("pause 暂停");
@@ -174,6 +188,8 @@ namespace RigidBodyDynamics.Scripts.Tests.Headless
 
             Assert.That(Gui.Texts, Has.Member("see the console 请看控制台"));
         }
+
+        private static string[] Tags() => Gui.Drawn.Where(control => control.Kind == "tag").Select(control => control.Text).ToArray();
 
         private static void Frames(int count)
         {

@@ -59,7 +59,7 @@ namespace UnityStubs
         private void Make(UnityObject transform, GameObject parent)
         {
             UnityObject written = Find(Yaml.Reference(transform["m_GameObject"]));
-            GameObject made = new GameObject(Yaml.Text(written["m_Name"]), isActive: Yaml.Number(written["m_IsActive"]) != 0);
+            GameObject made = new GameObject(Yaml.Text(written["m_Name"]), isActive: Yaml.Number(written["m_IsActive"]) != 0) { tag = written["m_TagString"] == null ? "Untagged" : Yaml.Text(written["m_TagString"]) };
             made.transform.SetParent(parent?.transform, false);
             _objects.Add(written.FileId, made);
             _components.Add(transform.FileId, made.transform);

@@ -11,6 +11,7 @@ namespace RigidBodyDynamics.Scripts
     public sealed class Panel : MonoBehaviour
     {
         private const float Width = 250, NameWidth = 110, Margin = 8, DesignHeight = 720, SecondsPerTiming = 0.5f;
+        private const float TagWidth = 110, TagHeight = 22, TagBelow = 70;
         private static readonly string[] KeyNames = { "←", "→", "↑", "↓", "R" };
         private readonly List<Yardstick> _yardsticks = new List<Yardstick>();
         private Experiment _experiment;
@@ -43,6 +44,7 @@ namespace RigidBodyDynamics.Scripts
             // the same size on every screen
             float scale = Mathf.Max(1, Screen.height / DesignHeight);
             GUI.matrix = Matrix4x4.Scale(new Vector3(scale, scale, 1));
+            Names(scale);
             GUILayout.BeginArea(new Rect(Margin, Margin, Width, Screen.height / scale - 2 * Margin), GUI.skin.box);
             _scroll = GUILayout.BeginScrollView(_scroll);
             Row("time 时间", Text(_experiment.Seconds, "0.00") + " s");
@@ -56,6 +58,28 @@ namespace RigidBodyDynamics.Scripts
 
             GUILayout.EndScrollView();
             GUILayout.EndArea();
+        }
+
+        // the name of each body, below it
+        private void Names(float scale)
+        {
+            Camera eye = Camera.main;
+            if (eye == null)
+                return;
+
+            foreach (MyRigidbody body in _experiment.Mine)
+                Name(eye, body, scale);
+
+            foreach (DefaultRigidbody body in _experiment.Theirs)
+                Name(eye, body, scale);
+        }
+
+        private static void Name(Camera eye, Component body, float scale)
+        {
+            // y is up on the screen and down in the GUI; what is behind the camera has no place on either
+            Vector3 at = eye.WorldToScreenPoint(body.transform.position);
+            if (at.z > 0)
+                GUI.Label(new Rect(at.x / scale - 0.5f * TagWidth, (Screen.height - at.y) / scale + TagBelow, TagWidth, TagHeight), body.name);
         }
 
         private void Keys()

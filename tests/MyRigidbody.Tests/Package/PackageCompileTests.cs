@@ -1,0 +1,55 @@
+using System.Text;
+using NUnit.Framework;
+using RigidBodyDynamics.Lab.Package;
+using RigidBodyDynamics.Tests.CommandLine;
+using RigidBodyDynamics.Tests.Repository;
+
+namespace RigidBodyDynamics.Tests.Package;
+
+/// <summary>What a student imports compiles there, from the files of the package alone.</summary>
+public sealed class PackageCompileTests
+{
+    private static readonly string[] To2019 = ["UNITY_EDITOR", "UNITY_5_3_OR_NEWER", "UNITY_2019_3_OR_NEWER", "UNITY_2019_4_OR_NEWER", "CSHARP_7_3_OR_NEWER"];
+
+    private static readonly string[] To2022 = [.. To2019, "UNITY_2020_1_OR_NEWER", "UNITY_2021_2_OR_NEWER", "UNITY_2022_2_OR_NEWER", "UNITY_2022_3_OR_NEWER"];
+
+    private static readonly TestCaseData[] Versions =
+    [
+        new TestCaseData((object)(string[])[.. To2019, "ENABLE_LEGACY_INPUT_MANAGER", "NET_STANDARD_2_0"]).SetArgDisplayNames("2019.4"),
+        new TestCaseData((object)(string[])[.. To2022, "ENABLE_LEGACY_INPUT_MANAGER", "NET_STANDARD", "NET_STANDARD_2_1"]).SetArgDisplayNames("2022.3"),
+        new TestCaseData((object)(string[])[.. To2022, "UNITY_6000_0_OR_NEWER", "ENABLE_INPUT_SYSTEM", "NET_STANDARD", "NET_STANDARD_2_1"]).SetArgDisplayNames("Unity 6, Input System alone"),
+        new TestCaseData((object)(string[])[.. To2022, "UNITY_6000_0_OR_NEWER", "ENABLE_INPUT_SYSTEM", "ENABLE_LEGACY_INPUT_MANAGER", "NET_STANDARD"]).SetArgDisplayNames("Unity 6, both"),
+    ];
+
+    [TestCaseSource(nameof(Versions))]
+    public void Unpacked_files_compile_without_a_warning_in(string[] symbols)
+    {
+        UnityCompiler compiler = new(Unpacked(), symbols);
+
+        Assert.That(compiler.Assemblies, Is.EquivalentTo(new[] { "MyRigidbody.Core", "MyRigidbody.Scripts", "MyRigidbody.Editor" }));
+        Assert.That(compiler.Homeless, Is.Empty);
+        foreach (string assembly in compiler.Assemblies)
+            Assert.That(compiler.Complaints(assembly), Is.Empty, assembly);
+    }
+
+    [TestCase("public class A { public double Root = System.MathF.Sqrt(2); }", "CS0234")]
+    [TestCase("public class A { public string? Name; }", "CS8370")]
+    [TestCase("public class A : UnityEngine.MonoBehaviour { void Start() { var b = GetComponent<UnityEngine.Rigidbody>(); b.linearVelocity = default; } }", "CS1061")]
+    [TestCase("public class A { public int X => 1 switch { _ => 2 }; }", "CS8370")]
+    [TestCase("using NUnit.Framework; public class A { }", "CS0246")]
+    public void What_Unity_2019_would_refuse_is_refused(string script, string error)
+    {
+        Asset like = Unpacked().First(asset => asset.Path.EndsWith("Scripts/ToUnity.cs", StringComparison.Ordinal));
+        Asset wrong = like with { Path = "Assets/MyRigidbody/Scripts/A.cs", Content = Encoding.UTF8.GetBytes(script) };
+        UnityCompiler compiler = new([.. Unpacked(), wrong], [.. To2019, "ENABLE_LEGACY_INPUT_MANAGER"]);
+
+        Assert.That(compiler.Complaints("MyRigidbody.Scripts"), Has.Some.Contains(error));
+    }
+
+    private static IReadOnlyList<Asset> Unpacked()
+    {
+        using TemporaryFolder folder = new();
+        File.WriteAllBytes(folder.File("a.unitypackage"), PackageWriter.Write(Checkout.Gather(Root.Path)));
+        return PackageReader.Read(folder.File("a.unitypackage"));
+    }
+}

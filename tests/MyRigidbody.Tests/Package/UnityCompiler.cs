@@ -1,0 +1,91 @@
+using System.Collections.Immutable;
+using System.Reflection;
+using System.Text;
+using System.Text.Json;
+using Microsoft.CodeAnalysis;
+using Microsoft.CodeAnalysis.CSharp;
+using NUnit.Framework;
+using RigidBodyDynamics.Lab.Package;
+using RigidBodyDynamics.Tests.Repository;
+
+namespace RigidBodyDynamics.Tests.Package;
+
+/// <summary>
+/// Compiles the assets of a package as an editor would: an assembly for every asmdef, of the files below it, with the
+/// references that it names and nothing else; C# 7.3, against .NET Standard 2.0 and a stand-in for the engine.
+/// </summary>
+internal sealed class UnityCompiler
+{
+    private static readonly ImmutableArray<MetadataReference> Standard =
+        [.. Directory.EnumerateFiles(NetStandard(), "*.dll").Select(path => (MetadataReference)MetadataReference.CreateFromFile(path))];
+
+    private readonly Dictionary<string, JsonElement> _definitions = [];
+    private readonly Dictionary<string, string> _folders = [];
+    private readonly Dictionary<string, CompilationReference> _compiled = [];
+    private readonly IReadOnlyList<Asset> _assets;
+    private readonly CSharpParseOptions _options;
+    private readonly MetadataReference _engine;
+
+    /// <summary>Compiles with the symbols of a version.</summary>
+    public UnityCompiler(IReadOnlyList<Asset> assets, params string[] symbols)
+    {
+        _assets = assets;
+        _options = new CSharpParseOptions(LanguageVersion.CSharp7_3, preprocessorSymbols: symbols);
+        foreach (Asset asset in assets.Where(asset => asset.Path.EndsWith(".asmdef", StringComparison.Ordinal)))
+        {
+            JsonElement definition = JsonDocument.Parse(asset.Content).RootElement;
+            string name = definition.GetProperty("name").GetString()!;
+            _definitions.Add(name, definition);
+            _folders.Add(name, asset.Path[..(asset.Path.LastIndexOf('/') + 1)]);
+        }
+
+        _engine = Engine();
+    }
+
+    /// <summary>The names of the assemblies.</summary>
+    public IEnumerable<string> Assemblies => _definitions.Keys;
+
+    /// <summary>Scripts that no asmdef takes, which would land in the student's own assembly.</summary>
+    public IEnumerable<string> Homeless => Scripts().Where(path => Owner(path) == null);
+
+    /// <summary>What the compiler has to say of an assembly: errors, and warnings too.</summary>
+    public IEnumerable<string> Complaints(string assembly) =>
+        Compile(assembly).Compilation.GetDiagnostics().Where(found => found.Severity >= DiagnosticSeverity.Warning).Select(found => found.ToString());
+
+    private CompilationReference Compile(string assembly)
+    {
+        if (_compiled.TryGetValue(assembly, out CompilationReference? done))
+            return done;
+
+        JsonElement definition = _definitions[assembly];
+        List<MetadataReference> references = [.. Standard];
+        references.AddRange(definition.GetProperty("references").EnumerateArray().Select(reference => Compile(reference.GetString()!)));
+        if (!definition.GetProperty("noEngineReferences").GetBoolean())
+            references.Add(_engine);
+
+        IEnumerable<Asset> scripts = _assets.Where(asset => asset.Path.EndsWith(".cs", StringComparison.Ordinal) && Owner(asset.Path) == assembly);
+        CSharpCompilation compilation = CSharpCompilation.Create(
+            assembly,
+            scripts.Select(script => CSharpSyntaxTree.ParseText(Encoding.UTF8.GetString(script.Content!), _options, script.Path)),
+            references,
+            new CSharpCompilationOptions(OutputKind.DynamicallyLinkedLibrary));
+        return _compiled[assembly] = (CompilationReference)compilation.ToMetadataReference();
+    }
+
+    // only the signatures of the stand-in are needed, so what its bodies call may be missing; its own projects compile those
+    private CompilationReference Engine() => (CompilationReference)CSharpCompilation.Create(
+        "UnityEngine",
+        new[] { "Engine", "Editor" }.SelectMany(folder => Tree.Files("tests/UnityStubs/" + folder, "*.cs"))
+            .Select(path => CSharpSyntaxTree.ParseText(Tree.Text(path), _options, path)),
+        Standard,
+        new CSharpCompilationOptions(OutputKind.DynamicallyLinkedLibrary)).ToMetadataReference();
+
+    private IEnumerable<string> Scripts() => _assets.Select(asset => asset.Path).Where(path => path.EndsWith(".cs", StringComparison.Ordinal));
+
+    // the asmdef in the nearest folder above
+    private string? Owner(string path) => _folders.Where(folder => path.StartsWith(folder.Value, StringComparison.Ordinal))
+        .OrderByDescending(folder => folder.Value.Length).Select(folder => folder.Key).FirstOrDefault();
+
+    private static string NetStandard() => typeof(UnityCompiler).Assembly.GetCustomAttributes<AssemblyMetadataAttribute>()
+        .Single(data => data.Key == "NetStandard").Value!;
+}
