@@ -75,6 +75,18 @@ namespace RigidBodyDynamics.Scripts.Tests.Headless
         }
 
         [Test]
+        public void Pushes_of_Update_do_not_pile_up_while_paused()
+        {
+            Gui.Click("pushed in Update 在 Update 中施力");
+            Gui.Click("pause 暂停");
+            Gui.HoldDown("→");
+            Frames(20);
+            Gui.Click("one step 单步");
+
+            Assert.That(_theirs.State.Velocity.X, Is.EqualTo(5 * 0.02).Within(1e-6));
+        }
+
+        [Test]
         public void Reset_goes_back()
         {
             Gui.HoldDown("→");

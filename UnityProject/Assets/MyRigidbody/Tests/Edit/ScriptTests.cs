@@ -1,3 +1,4 @@
+using System.Reflection;
 using NUnit.Framework;
 using UnityEditor;
 using UnityEngine;
@@ -69,12 +70,11 @@ namespace RigidBodyDynamics.Scripts.Tests.Edit
         public void A_setting_is_saved_and_explained(string field)
         {
             using (SerializedObject saved = new SerializedObject(_cube.AddComponent<MyRigidbody>()))
-            {
-                SerializedProperty property = saved.FindProperty(field);
-                Assert.That(property, Is.Not.Null);
-                // in English and, in a second line, in Chinese
-                Assert.That(property.tooltip.Split('\n').Length, Is.EqualTo(2));
-            }
+                Assert.That(saved.FindProperty(field), Is.Not.Null);
+
+            // in English and, in a second line, in Chinese
+            TooltipAttribute tooltip = typeof(MyRigidbody).GetField(field).GetCustomAttribute<TooltipAttribute>();
+            Assert.That(tooltip.tooltip.Split('\n').Length, Is.EqualTo(2));
         }
 
         [Test]

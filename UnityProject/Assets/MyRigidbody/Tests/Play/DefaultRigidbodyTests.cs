@@ -1,3 +1,4 @@
+using System;
 using System.Collections;
 using NUnit.Framework;
 using UnityEngine;
@@ -13,26 +14,19 @@ namespace RigidBodyDynamics.Scripts.Tests.Play
         private const double Bound = 1e-3;
 
         [UnityTest]
-        public IEnumerator It_moves_by_the_librarys_UnityRigidbody()
-        {
-            yield return new WaitForFixedUpdate();
-            DefaultRigidbody body = MakeDefault();
-            yield return Compare(body, Solids.Box(1, new Vector3d(1, 1, 1)), new UnitySettings());
-        }
+        public IEnumerator It_moves_by_the_librarys_UnityRigidbody() =>
+            Compare(b => { }, Solids.Box(1, new Vector3d(1, 1, 1)), new UnitySettings());
 
         [UnityTest]
-        public IEnumerator It_does_so_with_drag_the_labs_inertia_and_without_a_limit()
-        {
-            yield return new WaitForFixedUpdate();
-            DefaultRigidbody body = MakeDefault(b =>
+        public IEnumerator It_does_so_with_drag_the_labs_inertia_and_without_a_limit() => Compare(
+            b =>
             {
                 b.drag = b.angularDrag = 1;
                 b.hasLabInertia = true;
                 b.limitsSpin = false;
-            });
-            UnitySettings unity = new UnitySettings { Drag = 1, AngularDrag = 1, MaxAngularVelocity = 1e6 };
-            yield return Compare(body, PointMasses.BoxVertices(1, new Vector3d(1, 1, 1)), unity);
-        }
+            },
+            PointMasses.BoxVertices(1, new Vector3d(1, 1, 1)),
+            new UnitySettings { Drag = 1, AngularDrag = 1, MaxAngularVelocity = 1e6 });
 
         [UnityTest]
         public IEnumerator A_torque_turns_the_solid_box_three_times_as_fast()
@@ -51,8 +45,10 @@ namespace RigidBodyDynamics.Scripts.Tests.Play
             Assert.That(solid.State.AngularVelocity.X / lab.State.AngularVelocity.X, Is.EqualTo(3).Within(1e-3));
         }
 
-        private static IEnumerator Compare(DefaultRigidbody body, MassProperties mass, UnitySettings unity)
+        private IEnumerator Compare(Action<DefaultRigidbody> set, MassProperties mass, UnitySettings unity)
         {
+            yield return new WaitForFixedUpdate();
+            DefaultRigidbody body = MakeDefault(set);
             Keyboard keyboard = new Keyboard();
             BodyDescription expected = new BodyDescription("cube", mass) { Integrator = "UnityRigidbody", Unity = unity };
             Simulation library = new Simulation(TimeSteps.Every(StepLength), expected.With(new HeldKeys(keyboard)));

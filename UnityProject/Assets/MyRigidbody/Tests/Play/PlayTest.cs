@@ -24,13 +24,20 @@ namespace RigidBodyDynamics.Scripts.Tests.Play
             _made.Clear();
         }
 
+        /// <summary>Has objects destroyed after the test.</summary>
+        protected void DestroyAfterwards(params GameObject[] objects) => _made.AddRange(objects);
+
         /// <summary>A cube with a mesh and a script whose fields are set before it wakes.</summary>
         protected T Make<T>(Action<T> set = null, Action<GameObject> prepare = null) where T : Component
         {
             GameObject cube = GameObject.CreatePrimitive(PrimitiveType.Cube);
-            _made.Add(cube);
+            DestroyAfterwards(cube);
             cube.SetActive(false);
             prepare?.Invoke(cube);
+            // it would stand in the way of the engine's bodies
+            if (cube.GetComponent<Rigidbody>() == null)
+                UnityEngine.Object.DestroyImmediate(cube.GetComponent<Collider>());
+
             T script = cube.AddComponent<T>();
             set?.Invoke(script);
             cube.SetActive(true);

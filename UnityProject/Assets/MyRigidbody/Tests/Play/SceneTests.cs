@@ -17,7 +17,7 @@ namespace RigidBodyDynamics.Scripts.Tests.Play
         [UnityTest]
         public IEnumerator The_tumbling_slabs_play_ten_seconds() => Play("TumblingSlab", bodies: 4, theirs: 0);
 
-        private static IEnumerator Play(string scene, int bodies, int theirs)
+        private IEnumerator Play(string scene, int bodies, int theirs)
         {
             if (!File.Exists(Path.Combine(Application.dataPath, "MyRigidbody/Scenes/" + scene + ".unity")))
                 Assert.Ignore(scene + ".unity does not exist yet");
@@ -27,6 +27,7 @@ namespace RigidBodyDynamics.Scripts.Tests.Play
             yield return null;
 
             GameObject[] roots = SceneManager.GetActiveScene().GetRootGameObjects();
+            DestroyAfterwards(roots);
             // a script that is missing is null here
             Assert.That(roots.SelectMany(root => root.GetComponentsInChildren<Component>(true)), Is.All.Not.Null);
             Experiment experiment = roots.Select(root => root.GetComponentInChildren<Experiment>()).Single(found => found != null);
