@@ -16,6 +16,7 @@ public sealed partial class SourceTests
 
     [TestCase("MyRigidbody.Core/MyRigidbody.Core.csproj")]
     [TestCase("tests/MyRigidbody.BitHash/MyRigidbody.BitHash.csproj")]
+    [TestCase("tests/UnityStubs/Unity.props")]
     public void What_Unity_and_Mono_compile_is_held_to_CSharp_7_3(string project)
     {
         IEnumerable<string> versions = XDocument.Parse(Tree.Text(project)).Descendants("LangVersion").Select(element => element.Value);

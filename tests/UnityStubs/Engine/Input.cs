@@ -1,5 +1,3 @@
-using UnityStubs;
-
 namespace UnityEngine
 {
     /// <summary>The old input, which throws where a project has the Input System alone.</summary>
@@ -8,7 +6,7 @@ namespace UnityEngine
         public static bool GetKey(KeyCode key)
         {
 #if ENABLE_LEGACY_INPUT_MANAGER
-            return Keys.IsDown(key);
+            return UnityStubs.Keys.IsDown(key);
 #else
             throw new System.InvalidOperationException("You are trying to read Input using the UnityEngine.Input class, but you have switched active Input handling to Input System package in Player Settings.");
 #endif

@@ -74,6 +74,7 @@ namespace RigidBodyDynamics.Scripts.Tests.Play
             Assert.That(body.State.Velocity.Length, Is.Zero);
             Assert.That(body.State.AngularVelocity.Length, Is.Zero);
             Assert.That(body.transform.position, Is.EqualTo(Vector3.zero));
+            Assert.That(body.Keyboard[LabKey.RightArrow], Is.False);
         }
     }
 }
