@@ -4,7 +4,6 @@ using System.Text;
 using System.Text.Json;
 using Microsoft.CodeAnalysis;
 using Microsoft.CodeAnalysis.CSharp;
-using NUnit.Framework;
 using RigidBodyDynamics.Lab.Package;
 using RigidBodyDynamics.Tests.Repository;
 

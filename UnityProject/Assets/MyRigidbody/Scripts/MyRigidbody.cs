@@ -59,7 +59,7 @@ namespace RigidBodyDynamics.Scripts
         private Vector3 _startPosition;
         private Quaternion _startRotation;
         private float _stepLength;
-        private bool _isChanged;
+        private bool _isChanged, _isRefused;
 
         /// <summary>What the body is and what acts on it, as the library was told.</summary>
         public BodyDescription Description { get; private set; }
@@ -84,12 +84,6 @@ namespace RigidBodyDynamics.Scripts
             _startPosition = transform.position;
             _startRotation = transform.rotation;
             StartAgain();
-        }
-
-        private void OnEnable()
-        {
-            if (GetComponent<Rigidbody>() != null)
-                Refuse("MyRigidbody and Rigidbody would both move '" + name + "'; remove one of them.");
         }
 
         // Unity calls this once in every fixed step, 50 times a second whatever the frame rate. Update would be called once
@@ -142,6 +136,9 @@ namespace RigidBodyDynamics.Scripts
             {
                 Description = Describe(start);
                 _simulation = new Simulation(TimeSteps.Every(ToUnity.Meant(_stepLength)), Description);
+                // what was refused before and is mended moves again; what somebody else switched off stays off
+                enabled |= _isRefused;
+                _isRefused = false;
             }
             catch (ArgumentException wrong)
             {
@@ -151,6 +148,9 @@ namespace RigidBodyDynamics.Scripts
 
         private BodyDescription Describe(BodyState start)
         {
+            if (GetComponent<Rigidbody>() != null)
+                throw new ArgumentException("a Rigidbody on the same object would move it too; remove one of them");
+
             BodyDescription body = new BodyDescription(name, InertiaOf.Object(this, mass, inertia)) { Integrator = integrator, Start = start };
             if (useGravity)
                 body.With(new Gravity(Physics.gravity.Double()));
@@ -166,6 +166,7 @@ namespace RigidBodyDynamics.Scripts
         private void Refuse(string why)
         {
             _simulation = null;
+            _isRefused = true;
             enabled = false;
             Debug.LogError(why, this);
         }

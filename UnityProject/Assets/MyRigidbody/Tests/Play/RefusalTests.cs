@@ -15,7 +15,7 @@ namespace RigidBodyDynamics.Scripts.Tests.Play
         [UnityTest]
         public IEnumerator A_Rigidbody_on_the_same_object_is_refused_and_nothing_moves()
         {
-            LogAssert.Expect(LogType.Error, "MyRigidbody and Rigidbody would both move 'Cube'; remove one of them.");
+            LogAssert.Expect(LogType.Error, "MyRigidbody on 'Cube': a Rigidbody on the same object would move it too; remove one of them");
             MyRigidbody body = Make<MyRigidbody>(
                 b => b.startVelocity = Vector3.one,
                 cube => cube.AddComponent<Rigidbody>().useGravity = false);
@@ -75,10 +75,34 @@ namespace RigidBodyDynamics.Scripts.Tests.Play
             body.mass = 1;
             body.startVelocity = Vector3.right;
             body.StartAgain();
-            body.enabled = true;
             body.Step();
 
+            Assert.That(body.enabled, Is.True);
             Assert.That(body.State.Position.X, Is.EqualTo(StepLength).Within(1e-15));
+        }
+
+        [Test]
+        public void A_refused_body_stays_refused_until_it_is_mended()
+        {
+            LogAssert.Expect(LogType.Error, OneLine);
+            LogAssert.Expect(LogType.Error, OneLine);
+            MyRigidbody body = Make<MyRigidbody>(b => { }, cube => cube.AddComponent<Rigidbody>());
+
+            body.StartAgain();
+
+            Assert.That(body.IsReady, Is.False);
+            Assert.That(body.enabled, Is.False);
+        }
+
+        [Test]
+        public void A_body_that_was_switched_off_stays_off_when_it_starts_again()
+        {
+            MyRigidbody body = Make<MyRigidbody>();
+            body.enabled = false;
+
+            body.StartAgain();
+
+            Assert.That(body.enabled, Is.False);
         }
 
         // a second line of the console would make the test fail, and so would an exception
