@@ -9,7 +9,7 @@ namespace RigidBodyDynamics.Lab.Report;
 /// <summary>A motion as the scripts of the page read it: one column for each number of a body, rounded to what a picture can show.</summary>
 internal static class MotionJson
 {
-    // position; the eye sees no more of turns, rates and energies
+    // where a body is and how it is turned; and its rates
     private const int Digits = 6, Fewer = 5;
 
     // no <, > or & either, so nothing in a name can end the script element it stands in
@@ -58,7 +58,7 @@ internal static class MotionJson
         Rounded(json, "moments", Parts(track.Mass.PrincipalMoments), Digits);
         Rounded(json, "frame", Parts(frame), Digits);
         Rounded(json, "position", states.SelectMany(state => Parts(state.Position)), Digits);
-        Rounded(json, "orientation", states.SelectMany(state => Parts(state.Orientation)), Fewer);
+        Rounded(json, "orientation", states.SelectMany(state => Parts(state.Orientation)), Digits);
         Rounded(json, "spin", states.SelectMany(state => Parts(state.AngularVelocity)), Fewer);
         Rounded(json, "energy", states.Select(state => Conserved.KineticEnergy(state, track.Mass)), Fewer);
         json.WriteEndObject();
