@@ -9,7 +9,7 @@ namespace RigidBodyDynamics.BrowserTests;
 /// <summary>A Chromium without a window, which notes every message of the console and every request.</summary>
 internal sealed class Browser : IDisposable
 {
-    private static readonly TimeSpan Patience = TimeSpan.FromSeconds(60);
+    private static readonly TimeSpan Patience = TimeSpan.FromSeconds(20);
 
     private readonly ChromeDriverService _service;
     private readonly ChromeDriver _driver;
@@ -137,7 +137,7 @@ internal sealed class Browser : IDisposable
             _driver.Navigate().GoToUrl(address);
         }
 
-        Assert.That(Becomes("window.report && report.pictures && report.pictures() > 0"), NUnit.Framework.Is.True, "the page draws nothing");
+        Assert.That(Becomes("window.report && report.pictures && report.pictures() > 0"), NUnit.Framework.Is.True, "the page draws nothing: " + string.Join("; ", Complaints()));
     }
 
     private static string? OnPath(string program) => (Environment.GetEnvironmentVariable("PATH") ?? string.Empty)

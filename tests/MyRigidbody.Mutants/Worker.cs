@@ -14,7 +14,7 @@ internal static class Worker
     // fixtures that start processes, which would not see the mutant, and those about other parts than the four folders
     private static readonly string[] LeftOut =
     [
-        "CommandLine.", "Repository.", "SceneFiles.", "Determinism.", "PageTests", "AdvisorTests", "TruthTests",
+        "CommandLine.", "Report.", "Repository.", "SceneFiles.", "Determinism.", "PageTests", "AdvisorTests", "TruthTests",
         "StepFreeTests", "AllocationTests", "DamagedFileTests",
     ];
 

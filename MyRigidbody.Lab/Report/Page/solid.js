@@ -97,13 +97,15 @@ report.solid = (() => {
         context.lineWidth = 1;
         context.stroke();
         if (sign > 0) {
-          letter(context, eye, names[i], face, u, v, edgeColour);
+          // upright on the sides, and to be read from the front on the top
+          const [across, up] = [[axes[2], axes[1]], [axes[0], axes[2]], [axes[0], axes[1]]][i];
+          letter(context, eye, names[i], face, across, up, edgeColour);
         }
       }
     }
   }
 
-  // a letter that lies on a face, upright along its longer side
+  // a letter that lies on a face, with its right along u and its top along v
   function letter(context, eye, text, face, u, v, colour) {
     const size = 0.7 * Math.min(length(u), length(v));
     const [o, a, b] = [face, add(face, scale(size / length(u), u)), add(face, scale(size / length(v), v))].map(eye.project);

@@ -203,7 +203,7 @@
 
     context.setTransform(ratio, 0, 0, ratio, 0, 0);
     context.clearRect(0, 0, width, height);
-    const poses = poseAt(time);
+    const poses = report.poseAt(time);
     const middles = bodies.map((body, i) => add(middleOf(body, poses[i]), moved(i)));
     const [target, radius] = aim(middles);
     const closeUps = shown.closeUps ? Math.min(0.3 * height, 186) : 0;
