@@ -1,6 +1,6 @@
-using RigidBodyDynamics.Lab;
 using System.Globalization;
 using NUnit.Framework;
+using RigidBodyDynamics.Lab;
 
 namespace RigidBodyDynamics.Tests.CommandLine;
 
