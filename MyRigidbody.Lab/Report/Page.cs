@@ -59,12 +59,9 @@ internal sealed record Replay(Motion Motion) : Section
 }
 
 /// <summary>Curves that follow the time of the replay.</summary>
-/// <param name="Files">Where the numbers are.</param>
-internal sealed record TimePlots(string Files) : Section
+/// <param name="Label">What they are and where their numbers are, for who cannot see them.</param>
+internal sealed record TimePlots(Word Label) : Section
 {
     /// <inheritdoc/>
     public override string Kind => "plots";
-
-    /// <summary>What they are, for who cannot see them.</summary>
-    public Word Label => Words.All["plots.label"].With(Files);
 }

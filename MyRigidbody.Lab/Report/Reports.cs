@@ -19,7 +19,7 @@ internal static class Reports
         return Page(file, file.Scene, Compare(file.Path), motion,
         [
             new Replay(motion),
-            new TimePlots("trajectory.csv, apart.csv"),
+            new TimePlots(Words.All["plots.label"].With("trajectory.csv, apart.csv")),
             RuleTable.From(found),
             Plan.From(Plans(simulation)),
         ]);
@@ -32,7 +32,7 @@ internal static class Reports
         return Page(file, file.Scene, Compare(file.Path), motion,
         [
             new Replay(motion),
-            new TimePlots("trajectory.csv, " + Path.GetFileName(file.Recording!.Path)),
+            new TimePlots(Words.All["plots.label"].With("trajectory.csv, " + Path.GetFileName(file.Recording!.Path))),
             table,
             Plan.From(Plans(simulation)),
         ]);
@@ -45,7 +45,7 @@ internal static class Reports
         return Page(file, scene, command, motion,
         [
             new Replay(motion),
-            new TimePlots("trajectory.csv"),
+            new TimePlots(Words.All["plots.run"]),
             // many bodies start in many ways, so nothing is left out that one of them may need
             Plan.From(Plans(file.Crowds.Count > 0 ? new Simulation(scene, Omissions.Coasting) : new Simulation(scene))),
         ]);

@@ -38,6 +38,7 @@ internal static class Words
 
         ["plots"] = new("Over time", "随时间变化"),
         ["plots.label"] = new("Curves over time; the same numbers are in {0}.", "随时间变化的曲线；同样的数据在 {0} 中。"),
+        ["plots.run"] = new("Curves over time; the table that run writes has the same numbers.", "随时间变化的曲线；run 命令写出的表格中有同样的数据。"),
         ["plots.how"] = new(
             "The line is the time of the replay; a click sets it. Drag to zoom in, double-click to go back.",
             "竖线是回放的时刻，点击可设定。拖动放大，双击还原。"),
