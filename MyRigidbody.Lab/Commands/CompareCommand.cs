@@ -2,6 +2,7 @@ using System.CommandLine;
 using System.Text;
 using RigidBodyDynamics.Lab.Comparison;
 using RigidBodyDynamics.Lab.Output;
+using RigidBodyDynamics.Lab.Report;
 using Spectre.Console;
 
 namespace RigidBodyDynamics.Lab.Commands;
@@ -27,7 +28,7 @@ internal static class CompareCommand
         };
         Option<string> output = new("--out")
         {
-            Description = "folder for trajectories, summary and pictures",
+            Description = "folder for trajectories, summary, pictures and report.html, a page to open in the browser",
             HelpName = "DIR",
             DefaultValueFactory = _ => DefaultFolder,
         };
@@ -87,6 +88,7 @@ internal static class CompareCommand
             }
         }
 
+        files.Write(Reports.FileName, to => PageWriter.Write(Reports.Of(file, trajectory, found), to));
         files.Keep();
         Print(scene, found, folder);
         return 0;
@@ -105,7 +107,7 @@ internal static class CompareCommand
         }
 
         console.WriteLine();
-        console.WriteLine($"Written to {folder}: trajectory.csv, apart.csv, summary.json, pictures (.png, .svg)");
+        console.WriteLine($"Written to {folder}: trajectory.csv, apart.csv, summary.json, pictures (.png, .svg), and {Reports.FileName}, to open in the browser");
     }
 
     /// <summary>The trajectories of all bodies, every step.</summary>

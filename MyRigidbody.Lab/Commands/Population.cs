@@ -22,6 +22,9 @@ internal sealed class Population
 
     public TimeSteps Steps { get; }
 
+    /// <summary>How many bodies there are.</summary>
+    public int Count => (_alone?.Bodies.Count ?? 0) + _crowds.Sum(crowd => crowd.States.Length);
+
     public long StepsDone { get; private set; }
 
     public void Step(long count)
@@ -33,6 +36,25 @@ internal sealed class Population
         }
 
         StepsDone += count;
+    }
+
+    /// <summary>The first bodies as they are now; those in numbers are called by their name and number.</summary>
+    public IEnumerable<(string Name, BodyDescription Description, BodyState State)> States(int most)
+    {
+        foreach (Body body in (_alone?.Bodies ?? []).Take(most))
+        {
+            yield return (body.Name, body.Plan.Asked, body.State);
+        }
+
+        int left = most - Math.Min(most, _alone?.Bodies.Count ?? 0);
+        foreach ((BodyDescription body, Batch batch, BodyState[] states) in _crowds)
+        {
+            batch.Read(states);
+            for (int i = 0; i < states.Length && left > 0; i++, left--)
+            {
+                yield return ($"{body.Name} {i}", body, states[i]);
+            }
+        }
     }
 
     /// <summary>A row for every body; those in numbers are called by their name and number.</summary>

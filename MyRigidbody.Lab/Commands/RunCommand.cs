@@ -1,6 +1,8 @@
 using System.CommandLine;
+using System.Globalization;
 using System.Text;
 using RigidBodyDynamics.Lab.Output;
+using RigidBodyDynamics.Lab.Report;
 
 namespace RigidBodyDynamics.Lab.Commands;
 
@@ -26,17 +28,19 @@ internal static class RunCommand
             DefaultValueFactory = _ => 1,
         };
         Option<string?> output = new("--out") { Description = "the file to write; standard output if absent", HelpName = "FILE" };
-        Command command = new("run", "The trajectory of a scene, as CSV") { scene, integrator, step, every, output };
+        Option<string?> report = new("--report") { Description = "besides, a page to open in the browser; the scene runs once more for it", HelpName = "FILE" };
+        Command command = new("run", "The trajectory of a scene, as CSV") { scene, integrator, step, every, output, report };
         command.SetAction(parsed => Execute(
             parsed.GetValue(scene)!,
             parsed.GetValue(integrator),
             parsed.GetValue(step),
             parsed.GetValue(every),
-            parsed.GetValue(output)));
+            parsed.GetValue(output),
+            parsed.GetValue(report)));
         return command;
     }
 
-    private static int Execute(string path, string? integrator, double? step, long every, string? output)
+    private static int Execute(string path, string? integrator, double? step, long every, string? output, string? report)
     {
         if (every < 0)
         {
@@ -50,18 +54,39 @@ internal static class RunCommand
         {
             using StreamWriter standard = new(Console.OpenStandardOutput(), new UTF8Encoding(false));
             Write(simulation, every, path, standard);
-            return 0;
+        }
+        else
+        {
+            WriteFile("--out", output, temporary =>
+            {
+                using StreamWriter file = new(temporary, append: false, new UTF8Encoding(false));
+                Write(simulation, every, path, file);
+            });
         }
 
-        string folder = Path.GetDirectoryName(Path.GetFullPath(output.Length > 0 ? output : throw new InputException("--out: must not be empty"))) ?? throw new InputException($"{output}: is a folder");
-        using Files files = new(folder, output);
-        files.Write(Path.GetFileName(output), temporary =>
+        if (report != null)
         {
-            using StreamWriter file = new(temporary, append: false, new UTF8Encoding(false));
-            Write(simulation, every, path, file);
-        });
-        files.Keep();
+            string command = Command(path, integrator, step, report);
+            WriteFile("--report", report, temporary => PageWriter.Write(Reports.Of(read, scene, new Population(scene, read.Crowds), command), temporary));
+        }
+
         return 0;
+    }
+
+    private static string Command(string path, string? integrator, double? step, string report)
+    {
+        List<string> parts = ["run", Page.Shown(path)];
+        parts.AddRange(integrator != null ? ["--integrator", integrator] : []);
+        parts.AddRange(step != null ? ["--step", step.Value.ToString("R", CultureInfo.InvariantCulture)] : []);
+        return Page.CommandOf([.. parts, "--report", Page.Shown(report)]);
+    }
+
+    private static void WriteFile(string option, string file, Action<string> write)
+    {
+        string folder = Path.GetDirectoryName(Path.GetFullPath(file.Length > 0 ? file : throw new InputException($"{option}: must not be empty"))) ?? throw new InputException($"{file}: is a folder");
+        using Files files = new(folder, file);
+        files.Write(Path.GetFileName(file), write);
+        files.Keep();
     }
 
     private static void Write(Population simulation, long every, string path, TextWriter writer)

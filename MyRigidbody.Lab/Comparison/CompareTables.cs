@@ -143,18 +143,18 @@ internal static class CompareTables
 
     private static string Position(Vector3d p) => $"{Fixed(p.X, 2)} {Fixed(p.Y, 2)} {Fixed(p.Z, 2)}";
 
-    private static string Length(double metres) =>
+    internal static string Length(double metres) =>
         metres != 0 && Math.Abs(metres) < 5e-4 && Math.Abs(metres) >= 1e-9 ? metres.ToString("0.0e+0", CultureInfo.InvariantCulture) : Fixed(metres, 3);
 
-    private static string Degrees(double angle)
+    internal static string Degrees(double angle)
     {
         double degrees = angle * 180 / Math.PI;
         return degrees != 0 && Math.Abs(degrees) < 5e-3 && Math.Abs(degrees) >= 1e-9 ? degrees.ToString("0.0e+0", CultureInfo.InvariantCulture) : Fixed(degrees, Math.Abs(degrees) < 1000 ? 2 : 0);
     }
 
-    private static string Percent(double part, double whole) => whole > 0 ? Fixed(100 * part / whole, 1) + " %" : "–";
+    internal static string Percent(double part, double whole) => whole > 0 ? Fixed(100 * part / whole, 1) + " %" : "–";
 
-    private static string Ratio(double ratio) => Guard.IsFinite(ratio) ? Fixed(ratio, 2) : "–";
+    internal static string Ratio(double ratio) => Guard.IsFinite(ratio) ? Fixed(ratio, 2) : "–";
 
     private static string IfNotTheLabs(Findings found) => found.Pair.Mine.Integrator == "LabEuler"
         ? string.Empty

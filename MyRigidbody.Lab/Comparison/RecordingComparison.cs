@@ -2,6 +2,7 @@ using System.Globalization;
 using System.Text.Json;
 using RigidBodyDynamics.Lab.Commands;
 using RigidBodyDynamics.Lab.Output;
+using RigidBodyDynamics.Lab.Report;
 using Spectre.Console;
 
 namespace RigidBodyDynamics.Lab.Comparison;
@@ -13,6 +14,7 @@ internal sealed class RecordingComparison
         [("position", "m", 0, 3), ("orientation", "", 3, 4), ("velocity", "m/s", 7, 3), ("angular velocity", "rad/s", 10, 3)];
 
     private readonly double[] _farthest = new double[Parts.Length];
+    private readonly List<Compared> _course = [];
     private string? _parts;
 
     private double Farthest => _farthest.Max();
@@ -42,6 +44,8 @@ internal sealed class RecordingComparison
         using Files files = new(folder, folder);
         files.Write("trajectory.csv", to => CompareCommand.WriteTrajectory(new Simulation(file.Scene), file.Path, to));
         files.Write("summary.json", to => File.WriteAllText(to, found.Json(file.Scene)));
+        files.Write(Reports.FileName, to => PageWriter.Write(
+            Reports.Of(file, simulation, found._course, new RecordingTable(found.Lead(file.Scene), [.. found.Rows()])), to));
         files.Keep();
         found.Print(file.Scene, folder);
         return found.Farthest <= tolerance
@@ -58,17 +62,26 @@ internal sealed class RecordingComparison
         s.AngularVelocity.X, s.AngularVelocity.Y, s.AngularVelocity.Z,
     ];
 
+    private static BodyState State(float[] row) => new(
+        new Vector3d(row[0], row[1], row[2]),
+        new Quaterniond(row[6], row[3], row[4], row[5]),
+        new Vector3d(row[7], row[8], row[9]),
+        new Vector3d(row[10], row[11], row[12]));
+
     private void Look(Simulation simulation, Recording recording)
     {
         int row = (int)simulation.StepsDone;
-        double[] ours = Values(simulation.Bodies[0].State);
+        BodyState state = simulation.Bodies[0].State, recorded = State(recording.Rows[row]);
+        double[] ours = Values(state);
         float[] theirs = recording.Rows[row];
+        double distance = (state.Position - recorded.Position).Length, angle = Conserved.AngleBetween(state.Orientation, recorded.Orientation);
+        _course.Add(new Compared(row, state, recorded, new Moment(simulation.Time, distance, angle, angle)));
         for (int part = 0; part < Parts.Length; part++)
         {
             for (int i = Parts[part].First; i < Parts[part].First + Parts[part].Count; i++)
             {
-                double distance = Math.Abs(ours[i] - theirs[i]);
-                _farthest[part] = distance > _farthest[part] || double.IsNaN(distance) ? distance : _farthest[part];
+                double difference = Math.Abs(ours[i] - theirs[i]);
+                _farthest[part] = difference > _farthest[part] || double.IsNaN(difference) ? difference : _farthest[part];
                 // equal numbers have equal bits, but for the sign of zero, which recordings do not keep
                 if ((float)ours[i] != theirs[i])
                 {
@@ -86,19 +99,25 @@ internal sealed class RecordingComparison
     private void Print(Scene scene, string folder)
     {
         Table table = Terminal.NewTable("of", "largest difference");
-        for (int part = 0; part < Parts.Length; part++)
+        foreach (RecordingTable.Row row in Rows())
         {
-            table.AddRow(new Text(Parts[part].Name), new Text(string.Create(CultureInfo.InvariantCulture, $"{_farthest[part]:G3} {Parts[part].Unit}").Trim()));
+            table.AddRow(new Text(row.What.En), new Text(row.Largest));
         }
 
         IAnsiConsole console = Terminal.Out;
         console.WriteLine($"{scene.Name}: {scene.About}");
-        console.WriteLine(_parts == null
-            ? $"UnityRigidbody repeats all {scene.Steps.Count} steps of the recording bit for bit."
-            : $"UnityRigidbody first parts from the recording at {_parts}.");
+        console.WriteLine(Lead(scene).En);
         console.Write(table);
-        console.WriteLine($"Written to {folder}: trajectory.csv, summary.json");
+        console.WriteLine($"Written to {folder}: trajectory.csv, summary.json, and {Reports.FileName}, to open in the browser");
     }
+
+    private Word Lead(Scene scene) => _parts == null
+        ? Words.All["recording.same"].With(scene.Steps.Count)
+        : Words.All["recording.parts"].With(_parts);
+
+    private IEnumerable<RecordingTable.Row> Rows() => Parts.Select((part, i) => new RecordingTable.Row(
+        Words.Phrase(part.Name),
+        string.Create(CultureInfo.InvariantCulture, $"{_farthest[i]:G3} {part.Unit}").Trim()));
 
     private string Json(Scene scene) => JsonSerializer.Serialize(
         new

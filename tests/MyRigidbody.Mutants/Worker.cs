@@ -14,8 +14,8 @@ internal static class Worker
     // fixtures that start processes, which would not see the mutant, and those about other parts than the four folders
     private static readonly string[] LeftOut =
     [
-        "CommandLine.", "Repository.", "UnityProject.", "Package.", "SceneFiles.", "Determinism.", "PageTests", "AdvisorTests",
-        "BodyByBodyTests", "TruthTests", "StepFreeTests", "AllocationTests", "DamagedFileTests",
+        "CommandLine.", "Repository.", "UnityProject.", "Package.", "Report.", "Animation.", "SceneFiles.", "Determinism.", "PageTests",
+        "AdvisorTests", "BodyByBodyTests", "TruthTests", "StepFreeTests", "AllocationTests", "DamagedFileTests",
     ];
 
     public static int Serve()

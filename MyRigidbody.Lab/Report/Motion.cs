@@ -1,0 +1,117 @@
+using RigidBodyDynamics.Lab.Commands;
+using RigidBodyDynamics.Lab.Comparison;
+
+namespace RigidBodyDynamics.Lab.Report;
+
+/// <summary>What replay and plots show: bodies at moments, how far pairs of them are apart, and what acts when.</summary>
+internal sealed class Motion
+{
+    private const int MostHeld = 12;
+
+    private Motion(TimeSteps steps, int bodies)
+    {
+        Steps = steps;
+        BodiesInScene = bodies;
+    }
+
+    /// <summary>How the time of the run is divided.</summary>
+    public TimeSteps Steps { get; }
+
+    /// <summary>How many bodies there are, drawn or not.</summary>
+    public int BodiesInScene { get; }
+
+    /// <summary>The bodies that are drawn.</summary>
+    public List<Track> Tracks { get; } = [];
+
+    /// <summary>The pairs among them.</summary>
+    public List<Distances> Pairs { get; } = [];
+
+    /// <summary>The step after which each moment comes.</summary>
+    public List<long> At { get; } = [];
+
+    /// <summary>What acts on any of them for a part of the time.</summary>
+    public IReadOnlyList<Held> Held { get; private set; } = [];
+
+    /// <summary>The pairs of a comparison.</summary>
+    public static Motion Of(SceneFile file, IReadOnlyList<Findings> found)
+    {
+        Motion motion = new(file.Scene.Steps, 2 * found.Count);
+        foreach (Findings pair in found.Take(Frames.MostBodies / 2))
+        {
+            motion.Add(
+                new Track(pair.Pair.Mine.Name, pair.Pair.Mine.Mass, Shape(file, pair.Pair.Mine)),
+                new Track(pair.Pair.Default.Name, pair.Pair.Default.Mass, Shape(file, pair.Pair.Default)),
+                pair.Course);
+        }
+
+        motion.Thin(found[0].Course);
+        motion.Held = HeldBy(found.SelectMany(pair => new[] { pair.Pair.Mine, pair.Pair.Default }), file.Scene.Steps);
+        return motion;
+    }
+
+    /// <summary>A recorded body and ours beside it; the moments are after every step.</summary>
+    public static Motion Of(Scene scene, string recorded, IReadOnlyList<Compared> course)
+    {
+        Motion motion = new(scene.Steps, 2);
+        BodyDescription body = scene.Bodies[0];
+        motion.Add(new Track("UnityRigidbody", body.Mass, body.Mass), new Track(recorded, body.Mass, body.Mass), course);
+        motion.Thin(course);
+        motion.Held = HeldBy([body], scene.Steps);
+        return motion;
+    }
+
+    /// <summary>All bodies of a scene, run once more for the moments of a page.</summary>
+    public static Motion Of(SceneFile file, Scene scene, Population population)
+    {
+        Motion motion = new(scene.Steps, population.Count);
+        motion.Tracks.AddRange(population.States(Frames.MostBodies)
+            .Select(body => new Track(body.Name, body.Description.Mass, Shape(file, body.Description))));
+        long end = scene.Steps.Count;
+        foreach (long step in Frames.Of(end == long.MaxValue ? end : end + 1, motion.Tracks.Count))
+        {
+            population.Step(step - population.StepsDone);
+            population.MustBeFinite(file.Path);
+            motion.At.Add(step);
+            int next = 0;
+            foreach ((_, _, BodyState state) in population.States(Frames.MostBodies))
+            {
+                motion.Tracks[next++].States.Add(state);
+            }
+        }
+
+        motion.Held = HeldBy(scene.Bodies, scene.Steps);
+        return motion;
+    }
+
+    private void Add(Track mine, Track other, IReadOnlyList<Compared> course)
+    {
+        long[] rows = [.. Frames.Of(course.Count, Math.Min(BodiesInScene, Frames.MostBodies))];
+        mine.States.AddRange(rows.Select(row => course[(int)row].Mine));
+        other.States.AddRange(rows.Select(row => course[(int)row].Default));
+        Tracks.Add(mine);
+        Tracks.Add(other);
+        Pairs.Add(new Distances(
+            Tracks.Count - 2,
+            Tracks.Count - 1,
+            [.. rows.Select(row => course[(int)row].Apart.Distance)],
+            [.. rows.Select(row => course[(int)row].Apart.Angle)]));
+    }
+
+    private void Thin(IReadOnlyList<Compared> course) =>
+        At.AddRange(Frames.Of(course.Count, Tracks.Count).Select(row => course[(int)row].Step));
+
+    private static MassProperties Shape(SceneFile file, BodyDescription body) =>
+        file.SolidBoxes.GetValueOrDefault(body.Name, body.Mass);
+
+    /// <summary>Once each, keys first; what acts all the time is in the plan.</summary>
+    private static List<Held> HeldBy(IEnumerable<BodyDescription> bodies, TimeSteps steps)
+    {
+        double end = steps.StartOf(steps.Count);
+        return [.. bodies.SelectMany(body => body.Effects)
+            .Where(effect => effect.Motion is Key || effect.From > 0 || effect.To < end)
+            .Select(effect => new Held(effect.Motion.ToString()!, effect.Motion is Key, Math.Max(0, effect.From), Math.Min(end, effect.To)))
+            .Distinct()
+            .OrderBy(held => !held.IsKey)
+            .Take(MostHeld)];
+    }
+}

@@ -1,0 +1,105 @@
+using System.Globalization;
+using System.Text;
+using System.Text.Encodings.Web;
+using System.Text.Json;
+using System.Text.Unicode;
+
+namespace RigidBodyDynamics.Lab.Report;
+
+/// <summary>A motion as the scripts of the page read it: one column for each number of a body, rounded to what a picture can show.</summary>
+internal static class MotionJson
+{
+    // where a body is and how it is turned; and its rates
+    private const int Digits = 6, Fewer = 5;
+
+    // no <, > or & either, so nothing in a name can end the script element it stands in
+    private static readonly JsonWriterOptions Options = new() { Encoder = JavaScriptEncoder.Create(UnicodeRanges.All) };
+
+    /// <summary>The motion, and the texts that scripts show.</summary>
+    public static string Of(Motion motion)
+    {
+        using MemoryStream bytes = new();
+        using (Utf8JsonWriter json = new(bytes, Options))
+        {
+            json.WriteStartObject();
+            Column(json, "times", motion.At.Select(motion.Steps.StartOf), time => time.ToString("G9", CultureInfo.InvariantCulture));
+            json.WriteStartArray("bodies");
+            motion.Tracks.ForEach(track => Body(json, track));
+            json.WriteEndArray();
+            json.WriteStartArray("pairs");
+            motion.Pairs.ForEach(pair => Pair(json, pair));
+            json.WriteEndArray();
+            json.WritePropertyName("held");
+            JsonSerializer.Serialize(json, motion.Held.Select(held => new
+            {
+                key = held.IsKey ? held.Name[4..] : null,
+                en = Words.Phrase(held.Name).En,
+                zh = Words.Phrase(held.Name).Zh,
+                from = held.From,
+                to = held.To,
+            }));
+            json.WritePropertyName("words");
+            JsonSerializer.Serialize(json, Words.OfScripts.ToDictionary(word => word.Key, word => new { en = word.Value.En, zh = word.Value.Zh }));
+            json.WriteEndObject();
+        }
+
+        return Encoding.UTF8.GetString(bytes.ToArray());
+    }
+
+    private static void Body(Utf8JsonWriter json, Track track)
+    {
+        List<BodyState> states = track.States;
+        Quaterniond frame = track.Mass.PrincipalFrame.Normalized;
+        json.WriteStartObject();
+        json.WriteString("name", track.Name);
+        Rounded(json, "edges", Parts(track.Edges), Digits);
+        Rounded(json, "boxFrame", Parts(track.Shape.PrincipalFrame.Normalized), Digits);
+        Rounded(json, "center", Parts(track.Mass.CenterOfMass), Digits);
+        Rounded(json, "moments", Parts(track.Mass.PrincipalMoments), Digits);
+        Rounded(json, "frame", Parts(frame), Digits);
+        Rounded(json, "position", states.SelectMany(state => Parts(state.Position)), Digits);
+        Rounded(json, "orientation", states.SelectMany(state => Parts(state.Orientation)), Digits);
+        Rounded(json, "spin", states.SelectMany(state => Parts(state.AngularVelocity)), Fewer);
+        Rounded(json, "energy", states.Select(state => Conserved.KineticEnergy(state, track.Mass)), Fewer);
+        json.WriteEndObject();
+    }
+
+    private static void Pair(Utf8JsonWriter json, Distances pair)
+    {
+        json.WriteStartObject();
+        json.WriteNumber("first", pair.First);
+        json.WriteNumber("second", pair.Second);
+        Rounded(json, "distance", pair.Distance, Fewer);
+        Rounded(json, "angle", pair.Angle.Select(angle => angle * 180 / Math.PI), Fewer);
+        json.WriteEndObject();
+    }
+
+    /// <summary>So many digits of the largest, and no smaller part of the others: a picture has one scale.</summary>
+    private static void Rounded(Utf8JsonWriter json, string name, IEnumerable<double> values, int digits)
+    {
+        double[] column = [.. values];
+        double largest = column.Max(Math.Abs);
+        int decimals = largest > 0 ? digits - 1 - (int)Math.Floor(Math.Log10(largest)) : 0;
+        Column(json, name, column, value => decimals is >= 0 and <= 15
+            ? Shortest(Math.Round(value, decimals))
+            : value.ToString("G" + digits, CultureInfo.InvariantCulture));
+    }
+
+    private static void Column(Utf8JsonWriter json, string name, IEnumerable<double> values, Func<double, string> text)
+    {
+        json.WriteStartArray(name);
+        foreach (double value in values)
+        {
+            json.WriteRawValue(text(value));
+        }
+
+        json.WriteEndArray();
+    }
+
+    // no minus before a zero
+    private static string Shortest(double value) => (value == 0 ? 0 : value).ToString("R", CultureInfo.InvariantCulture);
+
+    private static double[] Parts(Vector3d v) => [v.X, v.Y, v.Z];
+
+    private static double[] Parts(Quaterniond q) => [q.W, q.X, q.Y, q.Z];
+}

@@ -1,0 +1,67 @@
+using System.Reflection;
+using System.Runtime.InteropServices;
+
+namespace RigidBodyDynamics.Lab.Report;
+
+/// <summary>A page to open in the browser: what it is about, how it was made, and its sections.</summary>
+/// <param name="Scene">The scene.</param>
+/// <param name="File">Its file; the page shows no folders of the machine.</param>
+/// <param name="Command">What follows the program's name on the command line.</param>
+/// <param name="Sections">From top to bottom.</param>
+internal sealed record Page(Scene Scene, string File, string Command, IReadOnlyList<Section> Sections)
+{
+    private const string Program = "dotnet run -c Release --project MyRigidbody.Lab";
+
+    /// <summary>The whole command.</summary>
+    public string Line => Command.Length > 0 ? $"{Program} -- {Command}" : Program;
+
+    /// <summary>The version of the program.</summary>
+    public static string Version =>
+        typeof(Page).Assembly.GetCustomAttribute<AssemblyInformationalVersionAttribute>()?.InformationalVersion ?? string.Empty;
+
+    /// <summary>Processors, system, runtime.</summary>
+    public static Word Machine => Words.All["facts.processors"].With(
+        RuntimeInformation.OSDescription + " " + RuntimeInformation.ProcessArchitecture,
+        RuntimeInformation.FrameworkDescription,
+        Environment.ProcessorCount);
+
+    /// <summary>A command with its arguments; what would not come through a shell whole is quoted.</summary>
+    public static string CommandOf(params string[] parts) =>
+        string.Join(' ', parts.Select(part => part.All(letter => char.IsLetterOrDigit(letter) || "-_./\\:=".Contains(letter)) ? part : $"\"{part}\""));
+
+    /// <summary>A path as the page shows it: as it was typed, or the file alone where it names the machine's folders.</summary>
+    public static string Shown(string path) => Path.IsPathRooted(path) ? Path.GetFileName(path) : path;
+}
+
+/// <summary>A part of a page; the template has a case for each kind.</summary>
+internal abstract record Section
+{
+    /// <summary>The name of its kind, and of its place in the page.</summary>
+    public abstract string Kind { get; }
+
+    /// <summary>Its heading.</summary>
+    public Word Title => Words.All[Kind];
+}
+
+/// <summary>The bodies moving, with time, speed and camera in the reader's hand.</summary>
+/// <param name="Motion">What is shown.</param>
+internal sealed record Replay(Motion Motion) : Section
+{
+    /// <inheritdoc/>
+    public override string Kind => "replay";
+
+    /// <summary>What is not shown of the run; nothing if all of it is.</summary>
+    public IReadOnlyList<Word> Left =>
+    [
+        .. Motion.At.Count <= Motion.Steps.Count ? [Words.All["thinned"].With(Motion.Steps.Count, Motion.At.Count)] : Array.Empty<Word>(),
+        .. Motion.Tracks.Count < Motion.BodiesInScene ? [Words.All["fewer.bodies"].With(Motion.BodiesInScene, Motion.Tracks.Count)] : Array.Empty<Word>(),
+    ];
+}
+
+/// <summary>Curves that follow the time of the replay.</summary>
+/// <param name="Label">What they are and where their numbers are, for who cannot see them.</param>
+internal sealed record TimePlots(Word Label) : Section
+{
+    /// <inheritdoc/>
+    public override string Kind => "plots";
+}

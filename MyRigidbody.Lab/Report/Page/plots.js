@@ -1,0 +1,86 @@
+'use strict';
+
+// Curves over time, drawn by plotly; a thin line over them is the time of the replay.
+(() => {
+  const { data, word, colour, solid } = report;
+  const curves = document.getElementById('curves'), now = document.getElementById('now');
+  if (!data || !curves) {
+    return;
+  }
+
+  const margin = { l: 62, r: 12, t: 34, b: 44 };
+  const rowHeight = 165, space = 0.2;
+  const dashes = ['solid', 'dash', 'dot', 'dashdot'];
+  const symbols = ['circle', 'square-open', 'diamond', 'x', 'triangle-up', 'star'];
+  const { times, bodies, pairs } = data;
+
+  const momentum = bodies.map(body => times.map((_, i) => solid.length(
+    solid.momentum(body, body.orientation.slice(4 * i, 4 * i + 4), body.spin.slice(3 * i, 3 * i + 3)))));
+
+  // one plot under the other; a row is its title and its curves
+  function rows() {
+    const ofBodies = column => bodies.map((body, i) => ({ name: body.name, colour: body.colour, mark: i, y: column(body, i), legend: true }));
+    const ofPairs = name => pairs.map((pair, i) => ({
+      name: word('between', bodies[pair.first].name, bodies[pair.second].name), colour: 'ink', mark: i, y: pair[name], legend: false,
+    }));
+    return [
+      ...(pairs.length > 0 ? [[word('axis.angle'), ofPairs('angle')], [word('axis.distance'), ofPairs('distance')]] : []),
+      [word('axis.energy'), ofBodies(body => body.energy)],
+      [word('axis.momentum'), ofBodies((_, i) => momentum[i])],
+    ];
+  }
+
+  function draw() {
+    const plots = rows(), traces = [], titles = [];
+    const axis = { gridcolor: colour('line'), linecolor: colour('line'), zerolinecolor: colour('line'), color: colour('faint') };
+    const range = curves.layout?.xaxis.range ?? [0, report.end];
+    const layout = {
+      height: plots.length * rowHeight + margin.t + margin.b,
+      margin,
+      paper_bgcolor: 'rgba(0,0,0,0)',
+      plot_bgcolor: 'rgba(0,0,0,0)',
+      font: { color: colour('ink'), family: 'system-ui, sans-serif', size: 13 },
+      hovermode: 'x',
+      hoverlabel: { namelength: 30 },
+      legend: { orientation: 'h', x: 0, y: 1, xanchor: 'left', yanchor: 'bottom', yref: 'paper' },
+      showlegend: bodies.length > 1,
+      xaxis: { ...axis, range: [...range], anchor: 'y' + plots.length, title: { text: word('axis.time'), standoff: 6 } },
+      annotations: titles,
+    };
+    plots.forEach(([title, list], row) => {
+      const id = row === 0 ? 'y' : 'y' + (row + 1), top = 1 - row / plots.length;
+      layout['yaxis' + id.slice(1)] = {
+        ...axis, domain: [top - (1 - space) / plots.length, top - 0.5 * space / plots.length], rangemode: 'tozero', nticks: 5, fixedrange: true, exponentformat: 'e',
+      };
+      titles.push({ text: title, x: 0, y: top - 0.5 * space / plots.length, xref: 'paper', yref: 'paper', xanchor: 'left', yanchor: 'bottom', showarrow: false, font: { size: 13 } });
+      list.forEach(curve => traces.push({
+        x: times, y: curve.y, yaxis: id, name: safe(curve.name), legendgroup: curve.name, showlegend: curve.legend && row === plots.length - 1,
+        mode: 'lines+markers',
+        line: { color: colour(curve.colour), dash: dashes[curve.mark % dashes.length], width: 2 },
+        marker: { symbol: symbols[curve.mark % symbols.length], size: 7, maxdisplayed: 12, color: colour(curve.colour) },
+      }));
+    });
+    Plotly.react(curves, traces, layout, { displayModeBar: false, responsive: true, doubleClick: 'reset' });
+    showNow();
+  }
+
+  // plotly takes a few tags in names; names are names
+  const safe = name => name.replace(/&/g, '&amp;').replace(/</g, '&lt;').replace(/>/g, '&gt;');
+
+  function showNow() {
+    const [from, to] = curves.layout.xaxis.range;
+    const part = (report.time() - from) / (to - from);
+    now.style.visibility = part >= 0 && part <= 1 ? 'visible' : 'hidden';
+    now.style.top = margin.t + 'px';
+    now.style.height = curves.layout.height - margin.t - margin.b + 'px';
+    now.style.transform = `translateX(${margin.l + part * (curves.clientWidth - margin.l - margin.r) - 1}px)`;
+  }
+
+  draw();
+  curves.on('plotly_click', event => report.setTime(event.points[0].x));
+  curves.on('plotly_relayout', showNow);
+  new ResizeObserver(showNow).observe(curves);
+  report.on('time', showNow);
+  report.on('language', draw);
+  report.on('theme', draw);
+})();

@@ -1,0 +1,102 @@
+using System.Text.RegularExpressions;
+
+namespace RigidBodyDynamics.Lab.Report;
+
+/// <summary>What plans, rules and effects say of themselves, part by part, and the same in Chinese.</summary>
+internal static class Phrases
+{
+    /// <summary>A part of a text, and what stands there in Chinese.</summary>
+    public sealed record Part(Regex Pattern, string Chinese);
+
+    /// <summary>In the order in which they are looked for: longer ones before those they contain.</summary>
+    public static readonly IReadOnlyList<Part> Known =
+    [
+        .. new (string English, string Chinese)[]
+        {
+            // parts of a motion
+            ("^drift$", "漂移"),
+            ("^rest$", "静止"),
+            (@" \(closed form\)$", "（闭式解）"),
+            (@"^free rotation of a body with three different moments \(exact\)$", "自由转动，三个主惯量各不相同（精确）"),
+            (@"^free rotation of a body with two equal moments \(exact\)$", "自由转动，两个主惯量相等（精确）"),
+            (@"^free rotation of a body with three equal moments \(exact\)$", "自由转动，三个主惯量相等（精确）"),
+            (@"^free rotation, split into three \(order 2\)$", "自由转动，分成三个转动（二阶）"),
+            ("^rotation by PhysX's rule with its gyroscopic switch$", "按 PhysX 的规则转动，打开陀螺项"),
+            (@"^rotation by (\w+)", "按 $1 转动"),
+            (@" \(no gyroscopic term\)$", "（无陀螺项）"),
+            ("^no rotation$", "不转动"),
+            (@"^drag (\S+) /s, angularDrag (\S+) /s, limit (\S+) rad/s, sleep below (\S+) J/kg$",
+                "drag $1 /s，angularDrag $2 /s，角速度上限 $3 rad/s，低于 $4 J/kg 时休眠"),
+
+            // effects
+            (@"\bgravity\b", "重力"),
+            (@"\bangular damping\b", "角速度阻尼"),
+            (@"\blinear damping\b", "速度阻尼"),
+            (@"^v × (\S+), ω × (\S+) a step", "每步 v × $1,ω × $2"),
+            (@"\bforce (?=\()", "力 "),
+            ("^torque (.*), world axes$", "力矩 $1，世界坐标轴"),
+            ("^torque (.*), body axes$", "力矩 $1，刚体坐标轴"),
+            (@"\bkey R\b", "r 键"),
+            (@"\bkey LeftArrow\b", "左方向键"),
+            (@"\bkey RightArrow\b", "右方向键"),
+            (@"\bkey UpArrow\b", "上方向键"),
+            (@"\bkey DownArrow\b", "下方向键"),
+            (@"^a force for each of (\d+) steps, a torque for each of (\d+)$", "$1 步中每步一个力，$2 步中每步一个力矩"),
+            (@"^drag (\S+) abs\(v\) v N$", "阻力 $1 |v| v N"),
+            ("^spring (.*) from (.*) to (.*)$", "弹簧 $1，从 $2 到 $3"),
+            ("^heavy top, m g l = (.*) along (.*), up (.*)$", "重陀螺，m g l = $1，沿 $2，向上为 $3"),
+            ("^what the program pushes with$", "程序施加的力"),
+
+            // when
+            ("^always$", "始终"),
+            (@"^from (\S+ s)$", "从 $1 起"),
+            (@"^(\S+ s) to (\S+ s)$", "$1 至 $2"),
+
+            // what is left out, and why
+            ("^steps that nobody looks at$", "无人查看的步"),
+            (@"^nothing pushes always, so there is a closed form$", "始终没有推动，有闭式解"),
+            (@"^nothing pushes from (\S+ s), so there is a closed form$", "从 $1 起没有推动，有闭式解"),
+            (@"^nothing pushes (\S+ s) to (\S+ s), so there is a closed form$", "$1 至 $2 没有推动，有闭式解"),
+            ("^rotation$", "转动"),
+            ("^translation$", "平动"),
+            ("^it starts without spin and nothing turns it$", "初始不转，也没有力矩"),
+            ("^it starts at rest and nothing moves it$", "初始静止，也没有力"),
+            ("^the scene says that it cannot turn$", "场景规定它不能转动"),
+            ("^the scene says that it cannot move$", "场景规定它不能移动"),
+            ("^the general free rotation$", "一般的自由转动"),
+            ("^all moments are equal, so ω stays$", "主惯量都相等，ω 不变"),
+            ("^two moments are equal, so two turns are enough$", "两个主惯量相等，两次转动就够了"),
+            ("^damping$", "阻尼"),
+            ("^drag$", "空气阻力"),
+            ("^forces and torques$", "力和力矩"),
+            ("^none in the scene$", "场景中没有"),
+            (@": swings are stable in steps below (\S+) s", "：步长小于 $1 s 时摆动稳定"),
+            (@", and the scene's is (\S+) s$", "，而场景的步长为 $1 s"),
+
+            // rules of a comparison
+            ("^integrator$", "积分器"),
+            ("^inertia$", "转动惯量"),
+            ("^limit of spin$", "角速度上限"),
+            ("^orientation$", "朝向的更新"),
+            ("^sleep$", "休眠"),
+            ("^gyroscopic forces$", "陀螺力"),
+            ("^scene$", "场景"),
+            ("^precision$", "精度"),
+            ("^position$", "位置"),
+            ("^velocity$", "速度"),
+            ("^angular velocity$", "角速度"),
+            ("^none$", "无"),
+            ("^never$", "从不"),
+            ("^no rad/s$", "无上限"),
+            ("^double$", "双精度"),
+            ("^single$", "单精度"),
+            ("^the lab's steps, no ω × I ω$", "实验的步骤，没有 ω × I ω"),
+            ("^the exact turn about ω$", "绕 ω 的精确转动"),
+            (@"^below (\S+ J/kg)$", "低于 $1"),
+            ("^PhysX 5's$", "PhysX 5 的规则"),
+            ("^nothing acts$", "没有作用"),
+            (@", mine / (\S+)$", "，为前者的 1/$1"),
+            (@", mine × (\S+)$", "，为前者的 $1 倍"),
+        }.Select(pair => new Part(new Regex(pair.English, RegexOptions.CultureInvariant), pair.Chinese)),
+    ];
+}

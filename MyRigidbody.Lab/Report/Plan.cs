@@ -1,0 +1,58 @@
+namespace RigidBodyDynamics.Lab.Report;
+
+/// <summary>What each body's motion consists of and what was left out: what <c>explain</c> prints, of the same explanation.</summary>
+internal sealed record Plan(IReadOnlyList<Plan.Of> Bodies) : Section
+{
+    private const int MostBodies = 12, MostNames = 5, MostStretches = 20;
+
+    /// <inheritdoc/>
+    public override string Kind => "plan";
+
+    /// <summary>How many kinds of motion are not shown.</summary>
+    public int More { get; private init; }
+
+    /// <summary>The plans of bodies; those that move alike stand together.</summary>
+    public static Plan From(IEnumerable<(string Name, BodyPlan Plan)> bodies)
+    {
+        List<(List<string> Names, Explanation Explanation, BodyPlan Plan)> kinds = [];
+        Dictionary<string, int> known = [];
+        foreach ((string name, BodyPlan plan) in bodies)
+        {
+            Explanation explanation = new(plan);
+            string words = explanation.ToString();
+            string key = plan.Row.Name + words[words.IndexOf('\n', StringComparison.Ordinal)..];
+            if (known.TryAdd(key, kinds.Count))
+            {
+                kinds.Add(([], explanation, plan));
+            }
+
+            kinds[known[key]].Names.Add(name);
+        }
+
+        return new Plan([.. kinds.Take(MostBodies).Select(kind => Make(kind.Names, kind.Explanation, kind.Plan))]) { More = Math.Max(0, kinds.Count - MostBodies) };
+    }
+
+    private static Of Make(List<string> names, Explanation explanation, BodyPlan plan)
+    {
+        string few = string.Join(", ", names.Take(MostNames));
+        Word title = names.Count > MostNames ? Words.All["plan.together"].With(few + ", …", names.Count) : Word.Name(few);
+        return new Of(
+            Words.All["plan.by"].With(title, plan.Row.Name),
+            [.. plan.Stretches.Take(MostStretches).Select(stretch => new Stretch(
+                Words.Phrase(explanation.Time(stretch)),
+                [.. explanation.Parts(stretch).Select(Words.Phrase)],
+                explanation.Coasts(stretch)))],
+            Math.Max(0, plan.Stretches.Count - MostStretches),
+            [.. explanation.LeftOut.Select(omission => new Omitted(Words.Phrase(omission.What), Words.Phrase(omission.Why)))],
+            [.. explanation.Notes.Select(Words.Phrase)]);
+    }
+
+    /// <summary>One body, or several that move alike.</summary>
+    internal sealed record Of(Word Title, IReadOnlyList<Stretch> Stretches, int More, IReadOnlyList<Omitted> LeftOut, IReadOnlyList<Word> Notes);
+
+    /// <summary>A part of the time, in which the same things act.</summary>
+    internal sealed record Stretch(Word When, IReadOnlyList<Word> Parts, bool Coasts);
+
+    /// <summary>What is not computed, and why not.</summary>
+    internal sealed record Omitted(Word What, Word Why);
+}

@@ -1,0 +1,13 @@
+namespace RigidBodyDynamics.Lab.Report;
+
+/// <summary>How far our UnityRigidbody is from a recorded one.</summary>
+/// <param name="Lead">Whether it repeats the recording, or where they part.</param>
+/// <param name="Rows">What, and the largest difference in it.</param>
+internal sealed record RecordingTable(Word Lead, IReadOnlyList<RecordingTable.Row> Rows) : Section
+{
+    /// <inheritdoc/>
+    public override string Kind => "recording";
+
+    /// <summary>The largest difference in one thing.</summary>
+    internal sealed record Row(Word What, string Largest);
+}

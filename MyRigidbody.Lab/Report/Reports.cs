@@ -1,0 +1,65 @@
+using RigidBodyDynamics.Lab.Commands;
+using RigidBodyDynamics.Lab.Comparison;
+
+namespace RigidBodyDynamics.Lab.Report;
+
+/// <summary>The page of each command, put together of the same sections.</summary>
+internal static class Reports
+{
+    /// <summary>The name of the page in a folder.</summary>
+    public const string FileName = "report.html";
+
+    /// <summary>Of <c>compare</c> for a scene.</summary>
+    /// <param name="file">The scene.</param>
+    /// <param name="simulation">Its bodies, for their plans.</param>
+    /// <param name="found">What was found out about each pair.</param>
+    public static Page Of(SceneFile file, Simulation simulation, IReadOnlyList<Findings> found)
+    {
+        Motion motion = Motion.Of(file, found);
+        return Page(file, file.Scene, Compare(file.Path), motion,
+        [
+            new Replay(motion),
+            new TimePlots(Words.All["plots.label"].With("trajectory.csv, apart.csv")),
+            RuleTable.From(found),
+            Plan.From(Plans(simulation)),
+        ]);
+    }
+
+    /// <summary>Of <c>compare</c> for a recording.</summary>
+    public static Page Of(SceneFile file, Simulation simulation, IReadOnlyList<Compared> course, RecordingTable table)
+    {
+        Motion motion = Motion.Of(file.Scene, Words.All["recorded"].With(file.Scene.Bodies[0].Name).En, course);
+        return Page(file, file.Scene, Compare(file.Path), motion,
+        [
+            new Replay(motion),
+            new TimePlots(Words.All["plots.label"].With("trajectory.csv, " + Path.GetFileName(file.Recording!.Path))),
+            table,
+            Plan.From(Plans(simulation)),
+        ]);
+    }
+
+    /// <summary>Of <c>run</c>.</summary>
+    public static Page Of(SceneFile file, Scene scene, Population population, string command)
+    {
+        Motion motion = Motion.Of(file, scene, population);
+        return Page(file, scene, command, motion,
+        [
+            new Replay(motion),
+            new TimePlots(Words.All["plots.run"]),
+            // many bodies start in many ways, so nothing is left out that one of them may need
+            Plan.From(Plans(file.Crowds.Count > 0 ? new Simulation(scene, Omissions.Coasting) : new Simulation(scene))),
+        ]);
+    }
+
+    private static Page Page(SceneFile file, Scene scene, string command, Motion motion, List<Section> sections)
+    {
+        string shown = Report.Page.Shown(file.Path);
+        return new Page(scene, shown, command, [.. sections, Facts.Of(scene, shown, motion.At.Count)]);
+    }
+
+    private static string Compare(string path) =>
+        path == Gallery.Lab ? string.Empty : Report.Page.CommandOf("compare", Report.Page.Shown(path));
+
+    private static IEnumerable<(string Name, BodyPlan Plan)> Plans(Simulation simulation) =>
+        simulation.Bodies.Select(body => (body.Name, body.Plan));
+}
