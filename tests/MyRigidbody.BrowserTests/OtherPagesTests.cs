@@ -72,6 +72,17 @@ public sealed class OtherPagesTests
     }
 
     [Test]
+    public void A_page_that_asked_for_something_would_be_refused_and_noticed()
+    {
+        using TemporaryFolder folder = new();
+        _browser.Open(Pages.Lab(folder));
+        _browser.Do("const image = new Image(); image.src = 'http://127.0.0.1:9/x.png'; fetch('http://127.0.0.1:9/').catch(() => window.refused = true)");
+
+        Assert.That(_browser.Becomes("window.refused"), Is.True);
+        Assert.That(_browser.Complaints(), Has.Some.Contains("img-src").And.Some.Contains("Content Security Policy"));
+    }
+
+    [Test]
     public void A_recording_stands_beside_ours()
     {
         using TemporaryFolder folder = new();

@@ -33,7 +33,7 @@ public sealed class ReportTests
     public void Nothing_complains_and_nothing_is_fetched()
     {
         Assert.That(_browser.Complaints(), Is.Empty);
-        Assert.That(_browser.Requests().Where(address => !address.StartsWith("file:", StringComparison.Ordinal) || !address.Contains("report.html")), Is.Empty);
+        Assert.That(_browser.Requests(), Is.Not.Empty.And.All.StartsWith("file:").And.All.Contains("/report.html"));
         Assert.That(_browser.Get<int>("performance.getEntriesByType('resource').length"), Is.Zero);
     }
 

@@ -9,6 +9,7 @@
   }
 
   const margin = { l: 62, r: 12, t: 34, b: 44 };
+  const narrow = 500, legendLine = 20;
   const rowHeight = 165, space = 0.2;
   const dashes = ['solid', 'dash', 'dot', 'dashdot'];
   const symbols = ['circle', 'square-open', 'diamond', 'x', 'triangle-up', 'star'];
@@ -33,6 +34,8 @@
   function draw() {
     const plots = rows(), traces = [], titles = [];
     const axis = { gridcolor: colour('line'), linecolor: colour('line'), zerolinecolor: colour('line'), color: colour('faint') };
+    // on a phone each name in the legend takes a line
+    margin.t = 34 + (curves.clientWidth < narrow ? legendLine * (Math.min(bodies.length, 6) - 1) : 0);
     const range = curves.layout?.xaxis.range ?? [0, report.end];
     const layout = {
       height: plots.length * rowHeight + margin.t + margin.b,
@@ -71,8 +74,9 @@
     const [from, to] = curves.layout.xaxis.range;
     const part = (report.time() - from) / (to - from);
     now.style.visibility = part >= 0 && part <= 1 ? 'visible' : 'hidden';
-    now.style.top = margin.t + 'px';
-    now.style.height = curves.layout.height - margin.t - margin.b + 'px';
+    // below the title of the first plot
+    now.style.top = margin.t + legendLine + 'px';
+    now.style.height = curves.layout.height - margin.t - legendLine - margin.b + 'px';
     now.style.transform = `translateX(${margin.l + part * (curves.clientWidth - margin.l - margin.r) - 1}px)`;
   }
 
