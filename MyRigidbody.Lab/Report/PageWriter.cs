@@ -12,7 +12,7 @@ internal static class PageWriter
     private const string Plotting = "Plotly.NET", PlottingScript = ".min.js";
 
     // in this order; each of our own adds to window.report
-    private static readonly string[] Scripts = ["page.js", "solid.js", "replay.js", "plots.js"];
+    private static readonly string[] Scripts = ["page.js", "solid.js", "motion.js", "stage.js", "replay.js", "plots.js"];
 
     private static readonly Lazy<IFluidTemplate> Template = new(() => new FluidParser().Parse(Resource("report.liquid")));
 

@@ -20,11 +20,9 @@ internal static class Words
     public static readonly IReadOnlyDictionary<string, Word> All = new Dictionary<string, Word>
     {
         ["language"] = new("中文", "English"),
-        ["language.label"] = new("以中文显示", "Show in English"),
         ["theme"] = new("Light / dark", "浅色/深色"),
         ["skip"] = new("Skip to the replay", "跳到回放"),
         ["noscript"] = new("Replay and plots need JavaScript; the tables do not.", "回放和曲线图需要 JavaScript，表格不需要。"),
-        ["made.by"] = new("Made by", "生成命令"),
 
         ["replay"] = new("Replay", "回放"),
         ["replay.label"] = new(
@@ -33,8 +31,6 @@ internal static class Words
         ["replay.keys"] = new(
             "Space: play or pause. ← →: a picture back or on. Home, End: start, end. Drag: look around. Wheel, + −: zoom. 0: reset the view.",
             "空格：播放或暂停。← →：后退或前进一帧。Home、End：开头、结尾。拖动：旋转视角。滚轮、+ −：缩放。0：恢复视角。"),
-        ["held"] = new("Acting now", "正在作用"),
-        ["replay.none"] = new("Nothing acts for a part of the time.", "没有只在部分时间内作用的力。"),
         ["thinned"] = new(
             "Of {0} steps, {1} evenly chosen moments are shown; the last one is among them. In between, the pictures are interpolated.",
             "共 {0} 步，均匀选取了 {1} 个时刻显示（包括最后时刻）；中间的画面由插值得到。"),
@@ -131,7 +127,7 @@ internal static class Words
         ["axis.angle"] = new("angle between, °", "夹角，°"),
         ["axis.distance"] = new("distance, m", "距离，m"),
         ["axis.energy"] = new("kinetic energy, J", "动能，J"),
-        ["axis.momentum"] = new("abs(L), kg m²/s", "|L|,kg m²/s"),
+        ["axis.momentum"] = new("abs(L), kg m²/s", "角动量 |L|，kg m²/s"),
         ["between"] = new("{0} and {1}", "{0} 与 {1}"),
     };
 

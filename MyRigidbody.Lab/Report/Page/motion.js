@@ -1,0 +1,49 @@
+'use strict';
+
+// The motion: colours of the bodies, and the pose of each at any time.
+(() => {
+  const { data, solid } = report;
+  if (!data) {
+    return;
+  }
+
+  const { times, bodies } = data;
+  const colours = ['blue', 'orange', 'green', 'violet', 'red', 'teal'];
+  const dashes = [[], [9, 5], [2, 4], [12, 4, 2, 4]];
+  bodies.forEach((body, i) => {
+    body.colour = colours[i % colours.length];
+    body.dash = dashes[Math.floor(i / colours.length) * 2 % 4 + i % 2];
+    body.size = solid.length(body.edges);
+  });
+
+  const at = (column, width, frame) => column.slice(width * frame, width * (frame + 1));
+
+  // the frame at a time or before it, and how far the time is on the way to the next
+  function between(t) {
+    let low = 0, high = times.length - 1;
+    while (high - low > 1) {
+      const middle = (low + high) >> 1;
+      if (times[middle] <= t) low = middle; else high = middle;
+    }
+
+    const span = times[high] - times[low];
+    return [low, high, span > 0 ? Math.min(1, Math.max(0, (t - times[low]) / span)) : 0];
+  }
+
+  function poseOf(body, [low, high, part]) {
+    const mix = (column, width, sign = 1) => {
+      const a = at(column, width, low), b = at(column, width, high);
+      return part === 0 ? a : part === 1 ? b : a.map((value, i) => value + part * (sign * b[i] - value));
+    };
+    const a = at(body.orientation, 4, low), b = at(body.orientation, 4, high);
+    // q and −q are one orientation; the shorter way from one to the next
+    const sign = a[0] * b[0] + a[1] * b[1] + a[2] * b[2] + a[3] * b[3] < 0 ? -1 : 1;
+    const mixed = mix(body.orientation, 4, sign), norm = Math.hypot(...mixed);
+    const orientation = mixed.map(value => value / norm), spin = mix(body.spin, 3);
+    return { name: body.name, position: mix(body.position, 3), orientation, spin, momentum: solid.momentum(body, orientation, spin) };
+  }
+
+  const poseAt = t => bodies.map(body => poseOf(body, between(t)));
+  report.motion = { at, between, poseOf, end: times[times.length - 1] };
+  report.poseAt = poseAt;
+})();
