@@ -1,5 +1,6 @@
 using System.CommandLine;
 using System.Text;
+using RigidBodyDynamics.Lab.Animation;
 using RigidBodyDynamics.Lab.Comparison;
 using RigidBodyDynamics.Lab.Output;
 using RigidBodyDynamics.Lab.Report;
@@ -88,6 +89,7 @@ internal static class CompareCommand
             }
         }
 
+        files.Write("replay.png", to => ReplayPicture.Write(scene.Name, Motion.Of(file, found), to));
         files.Write(Reports.FileName, to => PageWriter.Write(Reports.Of(file, trajectory, found), to));
         files.Keep();
         Print(scene, found, folder);
@@ -107,7 +109,7 @@ internal static class CompareCommand
         }
 
         console.WriteLine();
-        console.WriteLine($"Written to {folder}: trajectory.csv, apart.csv, summary.json, pictures (.png, .svg), and {Reports.FileName}, to open in the browser");
+        console.WriteLine($"Written to {folder}: trajectory.csv, apart.csv, summary.json, pictures (.png, .svg), replay.png, which moves, and {Reports.FileName}, to open in the browser");
     }
 
     /// <summary>The trajectories of all bodies, every step.</summary>

@@ -1,5 +1,6 @@
 using System.CommandLine;
 using RigidBodyDynamics.Lab.Output;
+using RigidBodyDynamics.Lab.Report;
 using Spectre.Console;
 
 namespace RigidBodyDynamics.Lab.Commands;
@@ -55,12 +56,12 @@ internal static class CostCommand
                 found.Add(CostFindings.Of(read, quick ? Effort.Quick : Effort.Whole, done => report((found.Count + 0.3 + (0.7 * done)) / motions.Count)));
             }
         });
-        Write(found, files);
+        Write(found, files, Report.Page.CommandOf(["cost", .. paths.Select(Report.Page.Shown), .. quick ? ["--quick"] : Array.Empty<string>()]));
         Print(found, folder);
         return 0;
     }
 
-    private static void Write(List<CostFindings> found, Files files)
+    private static void Write(List<CostFindings> found, Files files, string command)
     {
         files.Write("cost.csv", to => File.WriteAllText(to, CostCsv.Of(found)));
         HashSet<string> taken = [];
@@ -73,6 +74,7 @@ internal static class CostCommand
             }
         }
 
+        files.Write("cost.html", to => PageWriter.Write(Reports.Of(found, command), to));
         files.Keep();
     }
 
@@ -107,6 +109,6 @@ internal static class CostCommand
         }
 
         console.WriteLine();
-        console.WriteLine($"Written to {folder}: cost.csv, a diagram of every motion (.png, .svg)");
+        console.WriteLine($"Written to {folder}: cost.csv, a diagram of every motion (.png, .svg), and cost.html, to open in the browser");
     }
 }

@@ -55,7 +55,7 @@ internal static class Pictures
     }
 
     /// <summary>What a system calls its default font may have serifs.</summary>
-    private static string SansFont() =>
+    public static string SansFont() =>
         SansFonts.FirstOrDefault(name => SKFontManager.Default.FontFamilies.Contains(name)) ?? Fonts.Default;
 
     private static bool Lacks(string font, string text)

@@ -22,10 +22,16 @@ internal sealed record Facts(IReadOnlyList<Facts.Row> Rows) : Section
                 ? Words.All["facts.equal"].With(count, Number(steps.Length(0)), whole)
                 : Words.All["facts.unequal"].With(count, whole)),
             new Row(Words.All["facts.shown"], Word.Name(moments.ToString(CultureInfo.InvariantCulture))),
-            new Row(Words.All["facts.machine"], Page.Machine),
-            new Row(Words.All["facts.version"], Word.Name(Page.Version)),
+            .. OfMachine().Rows,
         ]);
     }
+
+    /// <summary>Of a page that is about no one scene.</summary>
+    public static Facts OfMachine() => new(
+    [
+        new Row(Words.All["facts.machine"], Page.Machine),
+        new Row(Words.All["facts.version"], Word.Name(Page.Version)),
+    ]);
 
     private static string Number(double value) => value.ToString("G6", CultureInfo.InvariantCulture);
 

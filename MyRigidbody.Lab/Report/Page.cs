@@ -4,11 +4,12 @@ using System.Runtime.InteropServices;
 namespace RigidBodyDynamics.Lab.Report;
 
 /// <summary>A page to open in the browser: what it is about, how it was made, and its sections.</summary>
-/// <param name="Scene">The scene.</param>
+/// <param name="Name">Its heading.</param>
+/// <param name="About">One line about it.</param>
 /// <param name="File">Its file; the page shows no folders of the machine.</param>
 /// <param name="Command">What follows the program's name on the command line.</param>
 /// <param name="Sections">From top to bottom.</param>
-internal sealed record Page(Scene Scene, string File, string Command, IReadOnlyList<Section> Sections)
+internal sealed record Page(string Name, string About, string File, string Command, IReadOnlyList<Section> Sections)
 {
     private const string Program = "dotnet run -c Release --project MyRigidbody.Lab";
 

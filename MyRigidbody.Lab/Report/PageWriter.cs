@@ -12,7 +12,7 @@ internal static class PageWriter
     private const string Plotting = "Plotly.NET", PlottingScript = ".min.js";
 
     // in this order; each of our own adds to window.report
-    private static readonly string[] Scripts = ["page.js", "solid.js", "motion.js", "stage.js", "replay.js", "plots.js"];
+    private static readonly string[] Scripts = ["page.js", "solid.js", "motion.js", "stage.js", "replay.js", "plots.js", "cost.js"];
 
     private static readonly Lazy<IFluidTemplate> Template = new(() => new FluidParser().Parse(Resource("report.liquid")));
 
@@ -34,6 +34,7 @@ internal static class PageWriter
         context.SetValue("plotting", Library());
         context.SetValue("scripts", Scripts.Select(Resource).ToArray());
         context.SetValue("data", replay is null ? "null" : MotionJson.Of(replay.Motion));
+        context.SetValue("cost", page.Sections.OfType<CostDiagrams>().FirstOrDefault() is CostDiagrams cost ? CostJson.Of(cost) : string.Empty);
         return Template.Value.Render(context, Encoder);
     }
 

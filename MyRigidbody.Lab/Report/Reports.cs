@@ -51,10 +51,14 @@ internal static class Reports
         ]);
     }
 
+    /// <summary>Of <c>cost</c>.</summary>
+    public static Page Of(IReadOnlyList<CostFindings> found, string command) => new(
+        "cost", string.Empty, string.Empty, command, [new CostDiagrams(found), Facts.OfMachine()]);
+
     private static Page Page(SceneFile file, Scene scene, string command, Motion motion, List<Section> sections)
     {
         string shown = Report.Page.Shown(file.Path);
-        return new Page(scene, shown, command, [.. sections, Facts.Of(scene, shown, motion.At.Count)]);
+        return new Page(scene.Name, scene.About, shown, command, [.. sections, Facts.Of(scene, shown, motion.At.Count)]);
     }
 
     private static string Compare(string path) =>

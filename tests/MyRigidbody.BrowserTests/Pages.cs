@@ -29,6 +29,17 @@ internal static class Pages
         return Run(folder, "页 1.html", "run", "scene.json", "--every", "0", "--out", "end.csv", "--report", "页 1.html");
     }
 
+    /// <summary>What accuracy costs on a short motion.</summary>
+    public static string Cost(TemporaryFolder folder)
+    {
+        File.WriteAllText(folder.File("scene.json"), """
+            { "schema": "rigid-body-scene/1", "name": "pushed", "step": 0.1, "duration": 1, "bodies": [{
+              "name": "top", "inertia": { "principal": [1, 2, 3] }, "angularVelocity": [1, 1.1, 0.9],
+              "effects": [{ "torque": { "frame": "world", "constant": [0.3, 0.2, 0.1] } }] }] }
+            """);
+        return Run(folder, "out/cost.html", "cost", "scene.json", "--quick");
+    }
+
     /// <summary>A row of trajectory.csv by its columns.</summary>
     public static Dictionary<string, double> Row(TemporaryFolder folder, string body, int step)
     {

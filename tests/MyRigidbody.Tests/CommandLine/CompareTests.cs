@@ -8,7 +8,7 @@ namespace RigidBodyDynamics.Tests.CommandLine;
 public sealed class CompareTests
 {
     private static readonly string[] Written =
-        ["apart.csv", "apart.png", "apart.svg", "report.html", "rules.png", "rules.svg", "summary.json", "trajectory.csv"];
+        ["apart.csv", "apart.png", "apart.svg", "replay.png", "report.html", "rules.png", "rules.svg", "summary.json", "trajectory.csv"];
 
     [Test]
     public void Without_a_command_the_labs_scene_is_compared_into_out()

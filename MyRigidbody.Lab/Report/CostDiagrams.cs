@@ -1,0 +1,38 @@
+using System.Globalization;
+
+namespace RigidBodyDynamics.Lab.Report;
+
+/// <summary>Accuracy against time, a diagram and a table for every motion, and what to take for the accuracy one wants.</summary>
+/// <param name="Found">What was measured.</param>
+internal sealed record CostDiagrams(IReadOnlyList<CostFindings> Found) : Section
+{
+    /// <inheritdoc/>
+    public override string Kind => "cost";
+
+    /// <summary>The motions.</summary>
+    public IEnumerable<Of> Motions => Found.Select(found => new Of(found));
+
+    /// <summary>One motion.</summary>
+    internal sealed class Of(CostFindings found)
+    {
+        /// <summary>Its name and what it is.</summary>
+        public string Name => found.Motion.Scene.Name;
+
+        /// <summary>One line about it.</summary>
+        public string About => found.Motion.Scene.About;
+
+        /// <summary>With what it was compared, and how exactly that can be had.</summary>
+        public Word Origin => Words.All["cost.origin"].With(found.Motion.Origin, CostTables.Error(found.Motion.Truth.Floor));
+
+        /// <summary>The errors of the columns.</summary>
+        public IEnumerable<string> Bounds => CostFindings.Bounds.Select(bound => bound.ToString("0e+0", CultureInfo.InvariantCulture));
+
+        /// <summary>An integrator, its error and time in a game's step, and what each accuracy costs by it.</summary>
+        public IEnumerable<string[]> Rows => Catalogue.Rows.Select(row =>
+        {
+            Trial game = found.InGame(row);
+            IEnumerable<string> costs = CostFindings.Bounds.Select(bound => CostTables.Number(1e6 * (found.Cheapest(row, bound)?.Cost ?? double.NaN)));
+            return (string[])[row.Name, CostTables.Error(game.Error), CostTables.Number(game.NanosecondsPerStep), CostTables.Number(found.TimesLab(row)), .. costs];
+        });
+    }
+}
