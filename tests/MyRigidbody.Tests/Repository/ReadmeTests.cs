@@ -76,12 +76,28 @@ public sealed class ReadmeTests
         Assert.That(simulation.Bodies[0].State.Position.Y, Is.EqualTo(-490.5).Within(2e-12)); // measured 2.8e-13
     }
 
+    [Test]
+    public void Chinese_page_has_the_numbers_the_pictures_and_the_commands_of_the_English_one()
+    {
+        Assert.That(Shares("README.zh.md"), Is.EqualTo(Shares("README.md")));
+        Assert.That(Starting("README.md", "    dotnet"), Is.SupersetOf(Starting("README.zh.md", "    dotnet")));
+        Assert.That(Pictures("README.md"), Is.SupersetOf(Pictures("README.zh.md")));
+
+        static string[] Shares(string page) => [.. Between(page, "<!-- compare lab.json -->", "<!-- end -->").Skip(2)
+            .Select(line => line.Split('|', StringSplitOptions.TrimEntries))
+            .Select(cells => cells[4] + cells[5])];
+        static string[] Starting(string page, string with) => [.. Tree.Text(page).Split('\n').Where(line => line.StartsWith(with, StringComparison.Ordinal))];
+        static string[] Pictures(string page) => [.. Starting(page, "![").Select(line => line[line.IndexOf('(')..])];
+    }
+
     private static string Percent(double share)
     {
         string percent = (100 * share).ToString("F1", CultureInfo.InvariantCulture).Replace('-', '−');
         return (percent == "−0.0" ? "0.0" : percent) + " %";
     }
 
-    private static string[] Between(string begin, string end) =>
-        [.. File.ReadAllLines(Root.File("README.md")).SkipWhile(line => line != begin).Skip(1).TakeWhile(line => line != end)];
+    private static string[] Between(string begin, string end) => Between("README.md", begin, end);
+
+    private static string[] Between(string page, string begin, string end) =>
+        [.. File.ReadAllLines(Root.File(page)).SkipWhile(line => line != begin).Skip(1).TakeWhile(line => line != end)];
 }
