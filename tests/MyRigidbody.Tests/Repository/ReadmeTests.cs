@@ -76,6 +76,23 @@ public sealed class ReadmeTests
         Assert.That(simulation.Bodies[0].State.Position.Y, Is.EqualTo(-490.5).Within(2e-12)); // measured 2.8e-13
     }
 
+    [TestCase("README.md")]
+    public void Table_of_what_is_simulated_is_what_explain_says(string page)
+    {
+        IEnumerable<string> rows = new[] { "lab.json", "tumbling-slab.json", "fall-with-drag.json" }
+            .SelectMany(scene => new Simulation(SceneReader.Read(Path.Combine(Gallery.Folder, scene)).Scene).Bodies.Select(body =>
+            {
+                Explanation explained = new(body.Plan);
+                StretchPlan first = body.Plan.Stretches[0];
+                string coasts = explained.Coasts(first) ? "; computed when somebody looks" : string.Empty;
+                string left = string.Join(", ", explained.LeftOut.Select(omission => omission.What).Distinct());
+                return $"| {scene} | {body.Name} | {string.Join(", ", explained.Parts(first))}{coasts} | {left} |";
+            }));
+
+        TestContext.Out.WriteLine(string.Join("\n", rows));
+        Assert.That(Between(page, "<!-- explain -->", "<!-- end -->").Skip(2), Is.EqualTo(rows));
+    }
+
     [Test]
     public void Chinese_page_has_the_numbers_the_pictures_and_the_commands_of_the_English_one()
     {
