@@ -46,6 +46,11 @@ public sealed class Trial
 
     internal Scene Scene { get; }
 
+    /// <summary>The run that was compared, and where it stood at <see cref="StepClock.Places"/> times, evenly spread.</summary>
+    internal Simulation? Run { get; private set; }
+
+    internal List<SavedSimulation> Places { get; } = new List<SavedSimulation>();
+
     /// <summary>Runs a scene once and compares it with the truth.</summary>
     /// <param name="scene">Taken as <see cref="StepFree"/> makes it.</param>
     /// <param name="truth">Its motion.</param>
@@ -77,12 +82,12 @@ public sealed class Trial
     private void Compare(Truth truth, int parts)
     {
         // what a step does is on trial, so each is taken
-        Simulation simulation = new Simulation(Scene, Omissions.All & ~Omissions.Coasting);
+        Simulation simulation = Run = new Simulation(Scene, Omissions.All & ~Omissions.Coasting);
         int count = simulation.Bodies.Count;
         double[] energy = new double[count], momentum = new double[count], energyOff = new double[count], momentumOff = new double[count];
         foreach (TruthSample sample in truth.Samples)
         {
-            simulation.Step(sample.At * parts - simulation.StepsDone);
+            Go(simulation, sample.At * parts);
             for (int i = 0; i < count; i++)
             {
                 BodyState found = simulation.Bodies[i].State, right = sample.Bodies[i];
@@ -102,6 +107,18 @@ public sealed class Trial
         {
             EnergyDrift = Larger(EnergyDrift, energyOff[i] / (energy[i] > 0 ? energy[i] : 1));
             MomentumDrift = Larger(MomentumDrift, momentumOff[i] / (momentum[i] > 0 ? momentum[i] : 1));
+        }
+    }
+
+    private void Go(Simulation simulation, long to)
+    {
+        while (simulation.StepsDone < to)
+        {
+            long place = Places.Count < StepClock.Places ? Steps / StepClock.Places * Places.Count : to;
+            if (simulation.StepsDone == place)
+                Places.Add(simulation.Save());
+            else
+                simulation.Step(Math.Min(place, to) - simulation.StepsDone);
         }
     }
 

@@ -90,6 +90,18 @@ public sealed class AdvisorTests
         Assert.That(found, Is.All.EqualTo(double.PositiveInfinity));
     }
 
+    // a push at the beginning alone makes the first steps the dearest
+    [Test]
+    public void Long_run_is_timed_at_sixteen_places_spread_over_all_of_it()
+    {
+        Truth truth = new(0.1, 0, [new TruthSample(7, 0, [BodyState.AtRest]), new TruthSample(20, 0, [BodyState.AtRest])]);
+
+        Trial trial = Trial.Of(Fall(), truth, Catalogue.Find("LabEuler"), 1000);
+
+        Assert.That(trial.Places.Select(place => place.StepsDone), Is.EqualTo(Enumerable.Range(0, 16).Select(i => 1250L * i)));
+        Assert.That(trial.Run!.StepsDone, Is.EqualTo(20_000));
+    }
+
     [Test]
     public void Error_of_a_trial_is_that_of_the_closed_form()
     {
