@@ -1,6 +1,5 @@
 using System.CommandLine;
 using System.Text;
-using RigidBodyDynamics.Lab.Animation;
 using RigidBodyDynamics.Lab.Comparison;
 using RigidBodyDynamics.Lab.Output;
 using RigidBodyDynamics.Lab.Report;
@@ -84,13 +83,14 @@ internal static class CompareCommand
             string ending = found.Count > 1 ? "-" + (i + 1) : string.Empty;
             foreach (string format in new[] { ".png", ".svg" })
             {
-                files.Write($"apart{ending}{format}", to => Pictures.Save(ComparePictures.Apart(scene, pair), to));
+                files.Write($"apart{ending}{format}", to => Pictures.Save(ComparePictures.Apart($"{scene.Name}: how far {pair.Pair.Mine.Name} and {pair.Pair.Default.Name} part", pair.Course), to));
                 files.Write($"rules{ending}{format}", to => Pictures.Save(ComparePictures.Rules(scene, pair), to));
             }
         }
 
-        files.Write("replay.png", to => ReplayPicture.Write(scene.Name, Motion.Of(file, found), to));
-        files.Write(Reports.FileName, to => PageWriter.Write(Reports.Of(file, trajectory, found), to));
+        Motion motion = Motion.Of(file, found);
+        MotionPictures.Write(scene.Name, motion, files);
+        files.Write(Reports.FileName, to => PageWriter.Write(Reports.Of(file, trajectory, found, motion), to));
         files.Keep();
         Print(scene, found, folder);
         return 0;

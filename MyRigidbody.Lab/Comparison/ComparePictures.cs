@@ -11,13 +11,13 @@ internal static class ComparePictures
     private static readonly Color Blue = Color.FromHex("#1f5fa8"), Orange = Color.FromHex("#c8550a");
 
     /// <summary>Distance and angle over time; solid and dashed, so that they can be told apart without colour.</summary>
-    public static Plot Apart(Scene scene, Findings found)
+    public static Plot Apart(string title, IReadOnlyList<Compared> course)
     {
-        Plot plot = Pictures.New($"{scene.Name}: how far {found.Pair.Mine.Name} and {found.Pair.Default.Name} part");
-        double[] time = [.. found.Course.Select(row => row.Apart.Time)];
-        Scatter distance = plot.Add.ScatterLine(time, found.Course.Select(row => row.Apart.Distance).ToArray(), Blue);
+        Plot plot = Pictures.New(title);
+        double[] time = [.. course.Select(row => row.Apart.Time)];
+        Scatter distance = plot.Add.ScatterLine(time, course.Select(row => row.Apart.Distance).ToArray(), Blue);
         distance.LegendText = "distance (left)";
-        Scatter angle = plot.Add.ScatterLine(time, found.Course.Select(row => row.Apart.Angle * 180 / Math.PI).ToArray(), Orange);
+        Scatter angle = plot.Add.ScatterLine(time, course.Select(row => row.Apart.Angle * 180 / Math.PI).ToArray(), Orange);
         angle.LegendText = "angle (right)";
         angle.LinePattern = LinePattern.Dashed;
         angle.Axes.YAxis = plot.Axes.Right;
@@ -28,8 +28,10 @@ internal static class ComparePictures
         plot.Axes.Right.Label.FontSize = 16;
         plot.Axes.Left.Label.ForeColor = Blue;
         plot.Axes.Right.Label.ForeColor = Orange;
-        plot.Axes.SetLimitsY(0, Top(found.Course.Max(row => row.Apart.Distance)), plot.Axes.Left);
-        plot.Axes.SetLimitsY(0, 190, plot.Axes.Right);
+        plot.Axes.SetLimitsY(0, Pictures.Top(course.Max(row => row.Apart.Distance)), plot.Axes.Left);
+        double turned = course.Max(row => row.Apart.Angle) * 180 / Math.PI;
+        // as a rule up to half a turn; a recording is often closer than anybody could see there
+        plot.Axes.SetLimitsY(0, turned > 19 ? 190 : Pictures.Top(turned), plot.Axes.Right);
         plot.Axes.SetLimitsX(0, time[^1]);
         plot.ShowLegend(Edge.Bottom);
         return plot;
@@ -85,6 +87,4 @@ internal static class ComparePictures
         plotted.Horizontal = true;
         plotted.ValueLabelStyle.FontSize = 13;
     }
-
-    private static double Top(double largest) => largest > 0 ? 1.08 * largest : 1;
 }

@@ -41,11 +41,19 @@ internal sealed class RecordingComparison
             found.Look(simulation, recording);
         }
 
+        Pictures.NoteIfThereAreNoFonts();
         using Files files = new(folder, folder);
         files.Write("trajectory.csv", to => CompareCommand.WriteTrajectory(new Simulation(file.Scene), file.Path, to));
         files.Write("summary.json", to => File.WriteAllText(to, found.Json(file.Scene)));
+        Motion motion = Motion.Of(file.Scene, Words.All["recorded"].With(file.Scene.Bodies[0].Name).En, found._course);
+        foreach (string format in new[] { ".png", ".svg" })
+        {
+            files.Write("apart" + format, to => Pictures.Save(ComparePictures.Apart($"{file.Scene.Name}: how far UnityRigidbody is from the recording", found._course), to));
+        }
+
+        MotionPictures.Write(file.Scene.Name, motion, files);
         files.Write(Reports.FileName, to => PageWriter.Write(
-            Reports.Of(file, simulation, found._course, new RecordingTable(found.Lead(file.Scene), [.. found.Rows()])), to));
+            Reports.Of(file, simulation, new RecordingTable(found.Lead(file.Scene), [.. found.Rows()]), motion), to));
         files.Keep();
         found.Print(file.Scene, folder);
         return found.Farthest <= tolerance
@@ -108,7 +116,7 @@ internal sealed class RecordingComparison
         console.WriteLine($"{scene.Name}: {scene.About}");
         console.WriteLine(Lead(scene).En);
         console.Write(table);
-        console.WriteLine($"Written to {folder}: trajectory.csv, summary.json, and {Reports.FileName}, to open in the browser");
+        console.WriteLine($"Written to {folder}: trajectory.csv, summary.json, pictures (.png, .svg), replay.png, which moves, and {Reports.FileName}, to open in the browser");
     }
 
     private Word Lead(Scene scene) => _parts == null

@@ -44,6 +44,9 @@ internal static class Pictures
             plot.SavePng(path, Width, height);
     }
 
+    /// <summary>The upper end of an axis from 0, a little above the largest value.</summary>
+    public static double Top(double largest) => largest > 0 && largest < double.MaxValue / 2 ? 1.08 * largest : 1;
+
     /// <summary>Says so on standard error where pictures will have no text.</summary>
     public static void NoteIfThereAreNoFonts()
     {

@@ -9,12 +9,15 @@ namespace RigidBodyDynamics.Lab.Report;
 /// <param name="File">Its file; the page shows no folders of the machine.</param>
 /// <param name="Command">What follows the program's name on the command line.</param>
 /// <param name="Sections">From top to bottom.</param>
-internal sealed record Page(string Name, string About, string File, string Command, IReadOnlyList<Section> Sections)
+internal sealed record Page(Word Name, string About, string File, string Command, IReadOnlyList<Section> Sections)
 {
     private const string Program = "dotnet run -c Release --project MyRigidbody.Lab";
 
     /// <summary>The whole command.</summary>
     public string Line => Command.Length > 0 ? $"{Program} -- {Command}" : Program;
+
+    /// <summary>Its first section, to which the keyboard can jump.</summary>
+    public Section First => Sections[0];
 
     /// <summary>The version of the program.</summary>
     public static string Version =>

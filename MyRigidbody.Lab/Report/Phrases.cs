@@ -14,7 +14,7 @@ internal static class Phrases
         .. new (string English, string Chinese)[]
         {
             // parts of a motion
-            ("^drift$", "漂移"),
+            ("^drift$", "按速度移动"),
             ("^rest$", "静止"),
             (@" \(closed form\)$", "（闭式解）"),
             (@"^free rotation of a body with three different moments \(exact\)$", "自由转动，三个主惯量各不相同（精确）"),
@@ -32,7 +32,7 @@ internal static class Phrases
             (@"\bgravity\b", "重力"),
             (@"\bangular damping\b", "角速度阻尼"),
             (@"\blinear damping\b", "速度阻尼"),
-            (@"^v × (\S+), ω × (\S+) a step", "每步 v × $1,ω × $2"),
+            (@"^v × (\S+), ω × (\S+) a step", "每步 v × $1、ω × $2"),
             (@"\bforce (?=\()", "力 "),
             ("^torque (.*), world axes$", "力矩 $1，世界坐标轴"),
             ("^torque (.*), body axes$", "力矩 $1，刚体坐标轴"),
@@ -42,7 +42,7 @@ internal static class Phrases
             (@"\bkey UpArrow\b", "上方向键"),
             (@"\bkey DownArrow\b", "下方向键"),
             (@"^a force for each of (\d+) steps, a torque for each of (\d+)$", "$1 步中每步一个力，$2 步中每步一个力矩"),
-            (@"^drag (\S+) abs\(v\) v N$", "阻力 $1 |v| v N"),
+            (@"^drag (\S+) abs\(v\) v N$", "阻力 $1 abs(v) v N"),
             ("^spring (.*) from (.*) to (.*)$", "弹簧 $1，从 $2 到 $3"),
             ("^heavy top, m g l = (.*) along (.*), up (.*)$", "重陀螺，m g l = $1，沿 $2，向上为 $3"),
             ("^what the program pushes with$", "程序施加的力"),

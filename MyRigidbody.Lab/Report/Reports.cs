@@ -13,30 +13,25 @@ internal static class Reports
     /// <param name="file">The scene.</param>
     /// <param name="simulation">Its bodies, for their plans.</param>
     /// <param name="found">What was found out about each pair.</param>
-    public static Page Of(SceneFile file, Simulation simulation, IReadOnlyList<Findings> found)
-    {
-        Motion motion = Motion.Of(file, found);
-        return Page(file, file.Scene, Compare(file.Path), motion,
+    /// <param name="motion">How they move.</param>
+    public static Page Of(SceneFile file, Simulation simulation, IReadOnlyList<Findings> found, Motion motion) =>
+        Page(file, file.Scene, Compare(file.Path), motion,
         [
             new Replay(motion),
             new TimePlots(Words.All["plots.label"].With("trajectory.csv, apart.csv")),
             RuleTable.From(found),
             Plan.From(Plans(simulation)),
         ]);
-    }
 
     /// <summary>Of <c>compare</c> for a recording.</summary>
-    public static Page Of(SceneFile file, Simulation simulation, IReadOnlyList<Compared> course, RecordingTable table)
-    {
-        Motion motion = Motion.Of(file.Scene, Words.All["recorded"].With(file.Scene.Bodies[0].Name).En, course);
-        return Page(file, file.Scene, Compare(file.Path), motion,
+    public static Page Of(SceneFile file, Simulation simulation, RecordingTable table, Motion motion) =>
+        Page(file, file.Scene, Compare(file.Path), motion,
         [
             new Replay(motion),
             new TimePlots(Words.All["plots.label"].With("trajectory.csv, " + Path.GetFileName(file.Recording!.Path))),
             table,
             Plan.From(Plans(simulation)),
         ]);
-    }
 
     /// <summary>Of <c>run</c>.</summary>
     public static Page Of(SceneFile file, Scene scene, Population population, string command)
@@ -53,12 +48,12 @@ internal static class Reports
 
     /// <summary>Of <c>cost</c>.</summary>
     public static Page Of(IReadOnlyList<CostFindings> found, string command) => new(
-        "cost", string.Empty, string.Empty, command, [new CostDiagrams(found), Facts.OfMachine()]);
+        Words.All["cost.page"], string.Empty, string.Empty, command, [new CostDiagrams(found), Facts.OfMachine()]);
 
     private static Page Page(SceneFile file, Scene scene, string command, Motion motion, List<Section> sections)
     {
         string shown = Report.Page.Shown(file.Path);
-        return new Page(scene.Name, scene.About, shown, command, [.. sections, Facts.Of(scene, shown, motion.At.Count)]);
+        return new Page(Word.Name(scene.Name), scene.About, shown, command, [.. sections, Facts.Of(scene, shown, motion.At.Count)]);
     }
 
     private static string Compare(string path) =>

@@ -21,7 +21,7 @@ internal static class Words
     {
         ["language"] = new("中文", "English"),
         ["theme"] = new("Light / dark", "浅色/深色"),
-        ["skip"] = new("Skip to the replay", "跳到回放"),
+        ["skip"] = new("Skip to: {0}", "跳到：{0}"),
         ["noscript"] = new("Replay and plots need JavaScript; the tables do not.", "回放和曲线图需要 JavaScript，表格不需要。"),
 
         ["replay"] = new("Replay", "回放"),
@@ -55,6 +55,7 @@ internal static class Words
         ["share.distance"] = new("share of the distance", "距离的份额"),
         ["share.turn"] = new("share of the turn", "转角的份额"),
         ["all"] = new("all", "合计"),
+        ["cost.page"] = new("Accuracy against time", "精度与时间"),
         ["cost"] = new("What accuracy costs", "精度的代价"),
         ["cost.lead"] = new(
             "Every point is a rule in steps of one length: how wrong it is at its worst over the whole motion, and how long it takes for a simulated second. Down and left is better. A rule's own drag and limits count as its error.",

@@ -49,7 +49,7 @@ internal sealed class Parsed
     private static Parsed Comparison(SceneFile file)
     {
         Findings[] found = [.. Pair.Of(file).Select(pair => Findings.Of(pair, file.Scene.Steps, _ => { }))];
-        return new Parsed(PageWriter.Html(Reports.Of(file, new Simulation(file.Scene), found)));
+        return new Parsed(PageWriter.Html(Reports.Of(file, new Simulation(file.Scene), found, Motion.Of(file, found))));
     }
 
     private static Parsed InFile(string name, double step, long steps, string[] bodies, Func<SceneFile, Parsed> make)
