@@ -10,13 +10,13 @@ namespace RigidBodyDynamics.Lab.Commands;
 /// <summary>Takes the time of everything, each thing beside what it is to be compared with.</summary>
 internal static class BenchCommand
 {
-    private const string DefaultFile = "out/bench.csv";
+    private const string DefaultFile = "out/bench.csv", EnginesFile = "engines.csv";
 
     public static Command Create()
     {
         Option<string> output = new("--out") { Description = "the CSV file", DefaultValueFactory = _ => DefaultFile };
         Option<bool> quick = new("--quick") { Description = "fewer repeats, and no million bodies" };
-        Command command = new("bench", "Time per step of every rule, of each effect on, idle and absent, of one body and of many, and of one body on Mono") { output, quick };
+        Command command = new("bench", "Time per step of every rule, of each effect on, idle and absent, of one body and of many, on Mono, and of other engines") { output, quick };
         command.SetAction(parsed => Execute(parsed.GetRequiredValue(output), parsed.GetValue(quick)));
         return command;
     }
@@ -37,16 +37,18 @@ internal static class BenchCommand
         ];
         StringBuilder csv = new("what,bodies,threads,nanosecondsPerBodyStep,bytesAllocated\n");
         OnMono onMono = null!;
+        OtherEngines others = null!;
         Terminal.WithProgress("taking the time", report =>
         {
             for (int i = 0; i < groups.Length; i++)
             {
                 int before = i;
                 bool isLong = groups[i].Group[0].Bodies > 10_000;
-                Measurement.Take(groups[i].Group, isQuick ? 5 : isLong ? 9 : 25, isLong ? 0.05 : 0.01, done => report((before + done) / (groups.Length + 1)));
+                Measurement.Take(groups[i].Group, isQuick ? 5 : isLong ? 9 : 25, isLong ? 0.05 : 0.01, done => report((before + done) / (groups.Length + 2)));
             }
 
-            onMono = OnMono.Take(isQuick ? 5 : 25, done => report((groups.Length + done) / (groups.Length + 1)));
+            onMono = OnMono.Take(isQuick ? 5 : 25, done => report((groups.Length + done) / (groups.Length + 2)));
+            others = OtherEngines.Take(groups.SelectMany(group => group.Group), isQuick ? 5 : 25);
         });
 
         foreach ((string title, IReadOnlyList<Measurement> group) in groups)
@@ -68,12 +70,20 @@ internal static class BenchCommand
         else
             Terminal.Out.Write(onMono.Table());
 
+        if (others.Problem.Length > 0)
+            Console.Out.WriteLine("Other engines: left out, because " + others.Problem);
+        else
+            Terminal.Out.Write(others.Table());
+
         csv.Append(onMono.Csv());
         Terminal.Out.Write(Ratios.Table([.. groups.SelectMany(group => group.Group)]));
         using Files files = new(folder, file);
         files.Write(Path.GetFileName(file), temporary => File.WriteAllText(temporary, csv.ToString(), new UTF8Encoding(false)));
+        if (others.Rows.Count > 0)
+            files.Write(EnginesFile, temporary => File.WriteAllText(temporary, others.Csv(), new UTF8Encoding(false)));
+
         files.Keep();
-        Console.Out.WriteLine("written: " + file);
+        Console.Out.WriteLine("written: " + file + (others.Rows.Count > 0 ? $", and {EnginesFile} beside it" : string.Empty));
         return 0;
     }
 

@@ -9,9 +9,10 @@ internal static class Checkout
     private const string CoreFolderGuid = "5a72f811ae3ef5e9cc67bc435aecb9c7", LicenseGuid = "9ba1d9b5a12c61ff5f8a201a59ec8309";
 
     /// <summary>The root of the checkout: the folder with the solution, here or above, or above the program.</summary>
-    public static string Root() =>
-        Above(Directory.GetCurrentDirectory()) ?? Above(AppContext.BaseDirectory)
-        ?? throw new InputException("pack: needs a checkout of the repository; there is no MyRigidbody.sln here or above");
+    public static string Root() => Find() ?? throw new InputException("pack: needs a checkout of the repository; there is no MyRigidbody.sln here or above");
+
+    /// <summary>The same, or null if there is none.</summary>
+    public static string? Find() => Above(Directory.GetCurrentDirectory()) ?? Above(AppContext.BaseDirectory);
 
     /// <summary>The assets, in the order of their GUIDs.</summary>
     public static IReadOnlyList<Asset> Gather(string root)

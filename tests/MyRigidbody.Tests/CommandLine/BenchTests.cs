@@ -59,6 +59,18 @@ public sealed class BenchTests
     }
 
     [Test]
+    public void Other_engines_stand_behind_ours_by_time_and_error()
+    {
+        OtherEngines.Row ours = new("Exact, one by one", 50, 4e-15);
+
+        OtherEngines found = OtherEngines.Of([ours], "PhysX 5.6.1,1.05E+2,3.01\r\na warning, of an engine\nHavok 1,NaN,2\nbroken,-1,2\nrun away,5,NaN\n");
+
+        Assert.That(found.Rows, Is.EqualTo(new[] { ours, new OtherEngines.Row("PhysX 5.6.1", 105, 3.01) }));
+        Assert.That(found.Csv(), Is.EqualTo("engine,nanosecondsPerBodyStep,angleError\n\"Exact, one by one\",50,4E-15\n\"PhysX 5.6.1\",105,3.01\n"));
+        Assert.That(OtherEngines.Of([ours], "nothing").Problem, Does.Contain("no times"));
+    }
+
+    [Test]
     public void Program_that_cannot_be_run_fails_or_does_not_end_is_a_problem_in_one_line()
     {
         string dotnet = OtherProgram.OnPath("dotnet")!, lab = Path.Combine(AppContext.BaseDirectory, "MyRigidbody.Lab.dll");

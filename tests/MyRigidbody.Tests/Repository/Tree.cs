@@ -3,7 +3,7 @@ namespace RigidBodyDynamics.Tests.Repository;
 /// <summary>The files of the repository, without what builds and programs leave in it.</summary>
 internal static class Tree
 {
-    private static readonly string[] NotOurs = ["artifacts", "out", "bin", "obj", ".git", ".vs", ".idea", "TestResults"];
+    private static readonly string[] NotOurs = ["artifacts", "out", "bin", "obj", ".git", ".vs", ".idea", "TestResults", "node_modules"];
 
     /// <summary>Files below a folder, by their path from the root, with forward slashes.</summary>
     public static string[] Files(string folder, string pattern)
