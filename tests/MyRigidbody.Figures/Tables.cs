@@ -1,0 +1,84 @@
+using System.Globalization;
+
+namespace RigidBodyDynamics.Figures;
+
+/// <summary>The rows of the tables that pages show of what was measured.</summary>
+internal static class Tables
+{
+    // the motion whose picture the README shows, and the scene of the lab
+    private const string Free = "asym_moderate", Lab = "lab";
+
+    private const double SameCost = 1.03;
+
+    private static readonly double[] Bounds = [1e-3, 1e-6, 1e-9];
+
+    // of the motions of cost, those that stand for a kind
+    private static readonly string[] Kinds = [Free, "body_torque", "world_torque", "lagrange_top", "cube_sin_torque_damped", Lab];
+
+    private static readonly string[] OnBoth = ["free body by LabEuler", "free body by Exact", "lab's step, by the library"];
+
+    /// <summary>The rows of a table by its name; null if there is none of it.</summary>
+    public static IReadOnlyList<string[]>? Of(string name, Measured measured) => name switch
+    {
+        "integrators" => [.. Catalogue.Rows.Select(row => (string[])[.. Integrator(row, measured), row.About])],
+        "integrators, numbers alone" => [.. Catalogue.Rows.Select(row => Integrator(row, measured))],
+        "motions" => [.. Kinds.Select(kind => Motion(kind, measured))],
+        "engines" => [.. measured.Engines.Select(line => (string[])[line["engine"], Time(Number(line["nanosecondsPerBodyStep"])), Error(Number(line["angleError"]))])],
+        "runtimes" => [.. OnBoth.Select(what => (string[])[what, OneBody(what, measured), OneBody(what + ", on Mono", measured)])],
+        _ => null,
+    };
+
+    private static string[] Integrator(CatalogueRow row, Measured measured)
+    {
+        Trial inGame = Trials(Free, measured).Single(trial => trial.Rule == row.Name && trial.Step == 0.02);
+        IEnumerable<string> costs = Bounds.Select(bound => Trials(Lab, measured).Where(trial => trial.Rule == row.Name && trial.Error < bound)
+            .Select(trial => trial.Cost).DefaultIfEmpty(double.NaN).Min()).Select(Time);
+        return ["`" + row.Name + "`", row.Order.ToString(CultureInfo.InvariantCulture), Error(inGame.Error), Time(inGame.Nanoseconds), .. costs];
+    }
+
+    /// <summary>The cheapest rule for every error, and how many times dearer RungeKutta4 is.</summary>
+    private static string[] Motion(string name, Measured measured)
+    {
+        List<Trial> trials = [.. Trials(name, measured)];
+        return ["`" + name + "`", .. Bounds.Select(Cell)];
+
+        string Cell(double bound)
+        {
+            Trial[] below = [.. trials.Where(trial => trial.Error < bound)];
+            // of those that cost the same within the clock's doubt, the first of the catalogue
+            Trial best = below.First(trial => trial.Cost <= SameCost * below.Min(one => one.Cost));
+            double other = below.Where(trial => trial.Rule == "RungeKutta4").Select(trial => trial.Cost).DefaultIfEmpty(double.NaN).Min();
+            return string.Create(CultureInfo.InvariantCulture, $"`{best.Rule}` {best.Step:G2} s: {Time(best.Cost)} ({Time(other / best.Cost)})");
+        }
+    }
+
+    private static string OneBody(string what, Measured measured)
+    {
+        IReadOnlyDictionary<string, string> line = measured.Bench.FirstOrDefault(line => line["what"] == what && line["bodies"] == "1")
+            ?? throw new InvalidDataException($"bench.csv has no \"{what}\"");
+        return Time(Number(line["nanosecondsPerBodyStep"]));
+    }
+
+    /// <summary>µs per simulated second, of every rule and step.</summary>
+    private static IEnumerable<Trial> Trials(string scene, Measured measured) => measured.Cost.Where(line => line["scene"] == scene).Select(line => new Trial(
+        line["integrator"], Number(line["step"]), Math.Max(Number(line["angleError"]), Number(line["positionError"])),
+        Number(line["nanosecondsPerStep"]), 1e6 * Number(line["secondsPerSimulatedSecond"])));
+
+    private static double Number(string text) => double.Parse(text, CultureInfo.InvariantCulture);
+
+    private static string Error(double error) => error >= 0.1
+        ? error.ToString("0.0", CultureInfo.InvariantCulture)
+        : error.ToString("0e-0", CultureInfo.InvariantCulture);
+
+    // two digits: the third is noise
+    private static string Time(double time)
+    {
+        if (!double.IsFinite(time))
+            return "–";
+
+        double unit = Math.Pow(10, Math.Floor(Math.Log10(time)) - 1);
+        return (Math.Round(time / unit) * unit).ToString(unit >= 1 ? "N0" : unit >= 0.1 ? "0.0" : unit >= 0.01 ? "0.00" : "0.000", CultureInfo.InvariantCulture);
+    }
+
+    private sealed record Trial(string Rule, double Step, double Error, double Nanoseconds, double Cost);
+}
