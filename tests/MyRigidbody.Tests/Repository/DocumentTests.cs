@@ -37,6 +37,27 @@ public sealed partial class DocumentTests
         Assert.That(broken, Is.Empty);
     }
 
+    [TestCaseSource(nameof(Pages))]
+    public void Links_to_headings_lead_to_headings(string page)
+    {
+        string folder = Path.GetDirectoryName(Root.File(page))!;
+        IEnumerable<string> broken = Link().Matches(CodeBlock().Replace(Tree.Text(page), string.Empty))
+            .Select(match => match.Groups[1].Value)
+            .Where(target => target.Contains('#') && !target.Contains("://", StringComparison.Ordinal))
+            .Where(target => target.Split('#') is [string file, string heading]
+                && !Headings(file.Length > 0 ? Path.Combine(folder, Uri.UnescapeDataString(file)) : Root.File(page)).Contains(heading));
+
+        Assert.That(broken, Is.Empty);
+    }
+
+    /// <summary>As GitHub makes them: small letters, no marks, hyphens for blanks.</summary>
+    private static IEnumerable<string> Headings(string path) => CodeBlock().Replace(File.ReadAllText(path), string.Empty).Split('\n')
+        .Where(line => line.StartsWith('#'))
+        .Select(line => Mark().Replace(line.TrimStart('#').Trim().ToLowerInvariant(), string.Empty).Replace(' ', '-'));
+
+    [GeneratedRegex(@"[^\w\- ]")]
+    private static partial Regex Mark();
+
     [GeneratedRegex(@"\]\(([^)\s]+)")]
     private static partial Regex Link();
 
