@@ -20,8 +20,7 @@ internal static class Tables
     /// <summary>The rows of a table by its name; null if there is none of it.</summary>
     public static IReadOnlyList<string[]>? Of(string name, Measured measured) => name switch
     {
-        "integrators" => [.. Catalogue.Rows.Select(row => (string[])[.. Integrator(row, measured), row.About])],
-        "integrators, numbers alone" => [.. Catalogue.Rows.Select(row => Integrator(row, measured))],
+        "integrators" => [.. Catalogue.Rows.Select(row => Integrator(row, measured))],
         "motions" => [.. Kinds.Select(kind => Motion(kind, measured))],
         "engines" => [.. measured.Engines.Select(line => (string[])[line["engine"], Time(Number(line["nanosecondsPerBodyStep"])), Error(Number(line["angleError"]))])],
         "runtimes" => [.. OnBoth.Select(what => (string[])[what, OneBody(what, measured), OneBody(what + ", on Mono", measured)])],
