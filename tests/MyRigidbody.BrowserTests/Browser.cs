@@ -24,7 +24,7 @@ internal sealed class Browser : IDisposable
         }
 
         ChromeOptions options = new() { BinaryLocation = chromium };
-        options.AddArguments("--headless=new", "--no-sandbox", "--disable-dev-shm-usage", "--hide-scrollbars", "--lang=en", "--window-size=1200,870");
+        options.AddArguments("--headless=new", "--no-sandbox", "--disable-dev-shm-usage", "--hide-scrollbars", "--lang=en", "--window-size=1200,900");
         options.AddArguments(arguments);
         options.SetLoggingPreference(LogType.Browser, LogLevel.All);
         options.SetLoggingPreference("performance", LogLevel.All);

@@ -211,7 +211,7 @@ public sealed class ReportTests
             ("phone", "#lang=en&theme=light", 360, true),
         })
         {
-            _browser.Resize(width, isPhone ? 740 : 900, isPhone);
+            _browser.Resize(width, isPhone ? 740 : 865, isPhone);
             _browser.Open(_page, hash);
             _browser.Reload();
             Scrub(2.2);
