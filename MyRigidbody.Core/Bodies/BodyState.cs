@@ -35,5 +35,9 @@ namespace RigidBodyDynamics
         /// <summary>True if no number in it is infinite or NaN.</summary>
         public bool IsFinite =>
             Position.IsFinite && Orientation.IsFinite && Velocity.IsFinite && AngularVelocity.IsFinite;
+
+        /// <summary>In words, to the last digit.</summary>
+        public override string ToString() =>
+            "position " + Position + ", orientation " + Orientation + ", velocity " + Velocity + ", angular velocity " + AngularVelocity;
     }
 }

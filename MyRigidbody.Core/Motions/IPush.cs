@@ -22,8 +22,8 @@ namespace RigidBodyDynamics
         /// Adds the impulse this effect alone gives in the time that follows, the body held in its place: its exact
         /// flow. Asked by integrators that compose; the duration may be negative. What depends on neither time nor
         /// velocity gives duration × At, and so does what depends on time while <see cref="Instant.IsHeld"/>. The impulse
-        /// comes in with what other pushes gave before in the same time: the velocity is now body.Velocity + impulse / m,
-        /// and the angular velocity has followed the torques likewise. EffectCheck, beside the command line, tries all this.
+        /// comes in with what other pushes gave before in the same time: the body now moves as
+        /// <see cref="Wrench.AppliedTo"/> says. EffectCheck, beside the command line, tries all this.
         /// </summary>
         void Over(in Instant now, double duration, in BodyState body, MassProperties mass, ref Wrench impulse);
     }

@@ -118,7 +118,12 @@ public sealed class EffectCheckTests
     [Test]
     public void Drag_that_does_not_look_at_the_impulse_that_comes_in_is_found() => Finds(
         default(DeafDrag),
-        "^Over reads a velocity, not what the impulse that comes in has made of it, and is off by [0-9.]+ % of the largest push: the velocity is body.Velocity \\+ mass.InverseMass \\* impulse.Force");
+        "^Over reads a velocity, not what the impulse that comes in has made of it, and is off by [0-9.]+ % of the largest push: the body now moves as impulse.AppliedTo\\(body, mass\\).$");
+
+    [Test]
+    public void Half_that_does_not_look_at_the_impulse_is_found_beside_a_half_that_does() => Assert.That(
+        EffectCheck.Findings(default(HalfDeafDrag), Pushes.Mass, BodyState.AtRest, 0, 10),
+        Has.Exactly(1).Contains("the body now moves as impulse.AppliedTo(body, mass)").And.None.Contains("does not add"));
 
     [Test]
     public void Friction_that_divides_by_the_speed_is_found_at_rest() => Finds(

@@ -57,6 +57,24 @@ internal readonly struct DeafDrag : IPush
     }
 }
 
+/// <summary>Air that holds up a body by its velocity as it should, and its turning without a look at what came in.</summary>
+internal readonly struct HalfDeafDrag : IPush
+{
+    public PushTraits Traits => PushTraits.Moves | PushTraits.Turns | PushTraits.ReadsVelocity | PushTraits.ReadsAngularVelocity;
+
+    public void At(in Instant now, in BodyState body, MassProperties mass, ref Wrench wrench)
+    {
+        new QuadraticDrag(0.3).At(now, body, mass, ref wrench);
+        wrench.Torque -= 0.01 * body.AngularVelocity;
+    }
+
+    public void Over(in Instant now, double duration, in BodyState body, MassProperties mass, ref Wrench impulse)
+    {
+        new QuadraticDrag(0.3).Over(now, duration, body, mass, ref impulse);
+        impulse.Torque -= 0.01 * duration * body.AngularVelocity;
+    }
+}
+
 /// <summary>A torque that lets time pass where it should stand still.</summary>
 internal readonly struct Restless(Torque torque) : IPush
 {
