@@ -12,6 +12,10 @@ internal sealed class AnimatedPng
 {
     private const int ChunkHead = 8, ChunkEnd = 4;
     private static readonly byte[] Signature = [0x89, (byte)'P', (byte)'N', (byte)'G', 13, 10, 26, 10];
+
+    // in half the time of the usual way, for a twentieth more bytes
+    private static readonly SKPngEncoderOptions Quick = new(SKPngEncoderFilterFlags.Up, 5);
+
     private readonly MemoryStream _pictures = new();
     private readonly int _width, _height;
     private readonly ushort _hundredths;
@@ -30,7 +34,8 @@ internal sealed class AnimatedPng
     /// <summary>Adds a picture.</summary>
     public void Add(SKImage picture)
     {
-        using SKData png = picture.Encode(SKEncodedImageFormat.Png, 100);
+        using SKPixmap pixels = picture.PeekPixels() ?? throw new ArgumentException("picture: must have its pixels in memory", nameof(picture));
+        using SKData png = pixels.Encode(Quick)!;
         ReadOnlySpan<byte> bytes = png.AsSpan();
         Control();
         for (int at = Signature.Length; at < bytes.Length;)
