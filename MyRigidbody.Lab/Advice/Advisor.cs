@@ -9,7 +9,7 @@ public static class Advisor
     public const double SameCost = 1.03;
 
     private const double SecondsPerTurn = 0.005, ManyBits = 1e-9;
-    private const int Turns = 20;
+    private const int Turns = 10;
     private const long MostSteps = 20_000_000;
 
     /// <summary>How many steps the truth's base step is divided into: from 1 s down to 0.1 ms where that is 1 s.</summary>

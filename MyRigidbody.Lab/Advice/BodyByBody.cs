@@ -7,7 +7,7 @@ namespace RigidBodyDynamics.Lab;
 public sealed class BodyByBody
 {
     private const double SecondsPerTurn = 0.005;
-    private const int Turns = 20;
+    private const int Turns = 10;
 
     private BodyByBody(IReadOnlyList<Advice> own, IReadOnlyList<Trial> oneRule, IReadOnlyList<Trial> oneStep)
     {
