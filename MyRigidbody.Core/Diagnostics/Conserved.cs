@@ -10,9 +10,15 @@ namespace RigidBodyDynamics
             0.5 * mass.Mass * state.Velocity.LengthSquared
             + 0.5 * Vector3d.Dot(state.AngularVelocity, AngularMomentum(state, mass));
 
-        /// <summary>L = R I_ref Rᵀ ω, kg m²/s, in world axes, about the centre of mass.</summary>
-        public static Vector3d AngularMomentum(in BodyState state, MassProperties mass) =>
-            state.Orientation.Rotate(mass.Inertia * state.Orientation.RotateInverse(state.AngularVelocity));
+        /// <summary>
+        /// L = R I_ref Rᵀ ω, kg m²/s, in world axes, about the centre of mass. R is the rotation of the orientation scaled to
+        /// length 1: the lab's formula, not normalised, lets the length grow.
+        /// </summary>
+        public static Vector3d AngularMomentum(in BodyState state, MassProperties mass)
+        {
+            Quaterniond q = state.Orientation.Normalized;
+            return q.Rotate(mass.Inertia * q.RotateInverse(state.AngularVelocity));
+        }
 
         /// <summary>p = m v, kg m/s.</summary>
         public static Vector3d Momentum(in BodyState state, MassProperties mass) => mass.Mass * state.Velocity;

@@ -124,7 +124,7 @@ namespace RigidBodyDynamics
 
         internal override string Settings(BodyDescription body) => string.Format(
             CultureInfo.InvariantCulture,
-            "drag {0:R} /s, angularDrag {1:R} /s, limit {2:R} rad/s, sleep below {3:R} J/kg",
+            "drag {0:R} /s, angularDrag {1:R} /s, limit {2:R} rad/s, sleep below {3:R} J/kg of the velocity summed over 0.2 s",
             body.Unity.Drag,
             body.Unity.AngularDrag,
             body.Unity.MaxAngularVelocity,

@@ -58,7 +58,7 @@ internal sealed record Rule(string Name, string Mine, string Unitys, Func<BodyDe
             Set(body, settings => settings.MaxAngularVelocity = to.MaxAngularVelocity)));
         rules.Add(new Rule("orientation", "q + [0, ½Δt ω] q", "the exact turn about ω", body =>
             Set(body, settings => settings.FirstOrderOrientation = to.FirstOrderOrientation)));
-        rules.Add(new Rule("sleep", "never", $"below {Number(to.SleepThreshold)} J/kg", body =>
+        rules.Add(new Rule("sleep", "never", $"below {Number(to.SleepThreshold)} J/kg, velocities of 0.2 s summed", body =>
             Set(body, settings =>
             {
                 settings.SleepThreshold = to.SleepThreshold;

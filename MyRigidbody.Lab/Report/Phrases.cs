@@ -25,8 +25,8 @@ internal static class Phrases
             (@"^rotation by (\w+)", "按 $1 转动"),
             (@" \(no gyroscopic term\)$", "（无陀螺项）"),
             ("^no rotation$", "不转动"),
-            (@"^drag (\S+) /s, angularDrag (\S+) /s, limit (\S+) rad/s, sleep below (\S+) J/kg$",
-                "drag $1 /s，angularDrag $2 /s，角速度上限 $3 rad/s，低于 $4 J/kg 时休眠"),
+            (@"^drag (\S+) /s, angularDrag (\S+) /s, limit (\S+) rad/s, sleep below (\S+) J/kg of the velocity summed over 0\.2 s$",
+                "drag $1 /s，angularDrag $2 /s，角速度上限 $3 rad/s，0.2 s 内速度之和低于 $4 J/kg 时休眠"),
 
             // effects
             (@"\bgravity\b", "重力"),
@@ -92,7 +92,7 @@ internal static class Phrases
             ("^single$", "单精度"),
             ("^the lab's steps, no ω × I ω$", "实验的步骤，没有 ω × I ω"),
             ("^the exact turn about ω$", "绕 ω 的精确转动"),
-            (@"^below (\S+ J/kg)$", "低于 $1"),
+            (@"^below (\S+ J/kg), velocities of 0\.2 s summed$", "0.2 s 内速度之和低于 $1"),
             ("^PhysX 5's$", "PhysX 5 的规则"),
             ("^nothing acts$", "没有作用"),
             (@", mine / (\S+)$", "，为前者的 1/$1"),

@@ -49,7 +49,7 @@ namespace RigidBodyDynamics
 
         public void SinCos(out Real<R> sin, out Real<R> cos)
         {
-            Elementary.SinCos(_value, out double s, out double c);
+            default(R).SinCos(_value, out double s, out double c);
             sin = s;
             cos = c;
         }

@@ -7,6 +7,9 @@ namespace RigidBodyDynamics
     {
         /// <summary>The nearest number of that precision.</summary>
         double Round(double value);
+
+        /// <summary>Sine and cosine of a number of that precision (rad), not yet rounded to it.</summary>
+        void SinCos(double angle, out double sin, out double cos);
     }
 
     /// <summary>Single precision, as Unity's physics computes.</summary>
@@ -19,6 +22,8 @@ namespace RigidBodyDynamics
     {
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
         public double Round(double value) => (float)value;
+
+        public void SinCos(double angle, out double sin, out double cos) => SingleSine.SinCos(angle, out sin, out cos);
     }
 
     /// <summary>Double precision: nothing is rounded that the processor has not rounded already.</summary>
@@ -26,5 +31,7 @@ namespace RigidBodyDynamics
     {
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
         public double Round(double value) => value;
+
+        public void SinCos(double angle, out double sin, out double cos) => Elementary.SinCos(angle, out sin, out cos);
     }
 }

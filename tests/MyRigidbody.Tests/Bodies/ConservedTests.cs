@@ -44,6 +44,22 @@ public sealed class ConservedTests
         1e-15); // measured 1.2e-16
 
     [Test]
+    public void Orientation_of_another_length_has_the_momentum_and_energy_of_its_rotation() => Property.Holds(
+        Gen.Select(States, Gen.Double[0.5, 2]),
+        sample =>
+        {
+            (BodyState state, double length) = sample;
+            BodyState longer = state;
+            Quaterniond q = state.Orientation;
+            longer.Orientation = new Quaterniond(length * q.W, length * q.X, length * q.Y, length * q.Z);
+            Vector3d momentum = Conserved.AngularMomentum(state, Cloud);
+            double energy = Conserved.KineticEnergy(state, Cloud);
+            return Apart(Conserved.AngularMomentum(longer, Cloud), momentum) / (20 * state.AngularVelocity.Length)
+                + Math.Abs(Conserved.KineticEnergy(longer, Cloud) - energy) / energy;
+        },
+        1e-14); // measured 3.0e-15
+
+    [Test]
     public void State_is_printed_with_all_its_numbers() => Assert.That(
         new BodyState(new Vector3d(1, 2.5, 0), Quaterniond.Identity, new Vector3d(0, 0, -3), new Vector3d(0, 0.1, 0)).ToString(),
         Is.EqualTo($"position (1, 2.5, 0), orientation {Quaterniond.Identity}, velocity (0, 0, -3), angular velocity (0, 0.1, 0)"));

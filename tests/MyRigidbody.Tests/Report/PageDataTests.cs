@@ -139,11 +139,11 @@ public sealed class PageDataTests
     {
         using TemporaryFolder folder = new();
 
-        LabProcess lab = LabProcess.Run(folder.Path, "compare", TestData.Physx("d_intermediate_gyro_on.json"));
+        LabProcess lab = LabProcess.Run(folder.Path, "compare", PartingRecording.In(folder));
 
         Parsed page = new(File.ReadAllText(folder.File("out/report.html")));
         Assert.That(lab.ExitCode, Is.EqualTo(1));
-        Assert.That(page.Document.QuerySelector("#recording .lead")!.TextContent, Does.Contain("step 1659"));
+        Assert.That(page.Document.QuerySelector("#recording .lead")!.TextContent, Does.Contain("step " + PartingRecording.PartsAt));
         Assert.That(page.Document.QuerySelectorAll("#recording tbody tr"), Has.Length.EqualTo(4));
         Assert.That(Parsed.Numbers(page.Data.GetProperty("pairs")[0].GetProperty("angle")).Max(), Is.GreaterThan(0.01));
     }

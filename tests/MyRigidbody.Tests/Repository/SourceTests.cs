@@ -39,7 +39,7 @@ public sealed partial class SourceTests
         Assert.That(All.Where(path => File.ReadLines(Root.File(path)).Count() > 300), Is.Empty);
 
     // lines that are not empty, a comment or a brace; what only modern .NET compiles is not what a student reads
-    [TestCase(false, 3000)] // measured 2853
+    [TestCase(false, 3500)] // measured 2933
     [TestCase(true, 2000)] // measured 1825
     public void Core_is_short_enough_to_be_read_in_an_evening(bool onlyModern, int fewerThan)
     {

@@ -101,7 +101,7 @@ public sealed class ExplanationTests
     public void Unity_s_body_says_what_it_does_of_itself()
     {
         BodyDescription body = Top("UnityRigidbody", new Vector3d(1, 2, 3));
-        Assert.That(Parts(body), Does.Contain("drag 0 /s, angularDrag 0.05 /s, limit 7 rad/s, sleep below 0.005 J/kg"));
+        Assert.That(Parts(body), Does.Contain("drag 0 /s, angularDrag 0.05 /s, limit 7 rad/s, sleep below 0.005 J/kg of the velocity summed over 0.2 s"));
     }
 
     private static IReadOnlyList<string> Parts(BodyDescription body)
