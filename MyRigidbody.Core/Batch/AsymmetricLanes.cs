@@ -46,7 +46,6 @@ namespace RigidBodyDynamics
 
         public void Kick(in Group bodies, in Impulse impulse)
         {
-            Fold(bodies, ~Vector.Equals(bodies[Scale], Lanes.One));
             VectorLanes w = new VectorLanes(bodies, W), lost = new VectorLanes(bodies, WLost);
             VectorLanes j = new VectorLanes(Vector3d.Zero);
             if (impulse.HasWorld)
@@ -55,6 +54,7 @@ namespace RigidBodyDynamics
             if (impulse.HasBody)
                 j += new VectorLanes(impulse.Body);
 
+            j = Lanes.One / bodies[Scale] * j;
             Vector3d inverse = _shape.InverseMoments;
             Lanes two = new Lanes(2);
             Lanes d1 = new Lanes(inverse.X) * j.X, d2 = new Lanes(inverse.Y) * j.Y, d3 = new Lanes(inverse.Z) * j.Z;

@@ -27,8 +27,8 @@ namespace RigidBodyDynamics
         // (sine of) the largest angle at which a correction may be made at the wrong end of a step
         internal const double ShortSquared = 0.25 * 0.25;
         internal const double Tiny = 1e-290;
-        // damping is taken into w before its factor underflows
-        internal const double LeastScale = 1e-100;
+        // damping is taken into w before pushes over it, raised to the sixth power, overflow
+        internal const double LeastScale = 1e-20;
 
         private TopShape _shape;
         private Vector3d _w, _wLost;
@@ -69,11 +69,10 @@ namespace RigidBodyDynamics
 
         public void Kick(in Vector3d world, in Vector3d body)
         {
-            if (_scale != 1)
-                Fold();
-
             Vector3d j = world.IsZero ? Vector3d.Zero : _q.RotateInverse(world);
             j = body.IsZero ? j : j + _shape.Axes.FromBody(body);
+            // w is ω before damping took all but _scale of it; taken into w at every push, one rounded factor would add up
+            j = _scale == 1 ? j : 1 / _scale * j;
             TopShape s = _shape;
             double d1 = s.InverseMoments.X * j.X, d2 = s.InverseMoments.Y * j.Y, d3 = s.InverseMoments.Z * j.Z;
             // the exact change of w changes energy and Q; taken from the rounded w they would lose what they are held for
