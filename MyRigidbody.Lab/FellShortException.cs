@@ -1,4 +1,6 @@
+using RigidBodyDynamics.Lab.Output;
+
 namespace RigidBodyDynamics.Lab;
 
 /// <summary>A comparison or check that fell short: exit code 1. The message is one whole line.</summary>
-internal sealed class FellShortException(string message) : Exception(message);
+internal sealed class FellShortException(string message) : Exception(Visible.Line(message));

@@ -1,6 +1,7 @@
 using System.CommandLine;
 using System.Text;
 using RigidBodyDynamics.Lab.Commands;
+using RigidBodyDynamics.Lab.Output;
 
 namespace RigidBodyDynamics.Lab;
 
@@ -10,6 +11,7 @@ internal static class Program
     private static int Main(string[] args)
     {
         Console.OutputEncoding = new UTF8Encoding(encoderShouldEmitUTF8Identifier: false);
+        StandardOutput.Use();
         return Run(args);
     }
 
@@ -29,7 +31,8 @@ internal static class Program
         };
         // with no command at all: the lab's scene, both bodies
         root.SetAction(_ => CompareCommand.Execute(Gallery.Lab, CompareCommand.DefaultFolder, CompareCommand.DefaultTolerance));
-        ParseResult parsed = root.Parse(args);
+        // a file whose name begins with @ is a file
+        ParseResult parsed = root.Parse(args, new ParserConfiguration { ResponseFileTokenReplacer = null });
         if (parsed.Errors.Count > 0)
         {
             return Refuse(OneLine(parsed.Errors.Select(error => error.Message)) + " Try --help.");
@@ -47,6 +50,10 @@ internal static class Program
         {
             return Refuse(broken.Message);
         }
+        catch (ReaderLeftException)
+        {
+            return 0;
+        }
         catch (Exception full) when (full is IOException or UnauthorizedAccessException)
         {
             // files say so themselves, and a reader who leaves a pipe is no error; a full disk behind a redirection is
@@ -54,14 +61,14 @@ internal static class Program
         }
         catch (FellShortException shortfall)
         {
-            Console.Error.WriteLine("error: " + shortfall.Message);
+            Terminal.Error(shortfall.Message);
             return 1;
         }
     }
 
     private static int Refuse(string line)
     {
-        Console.Error.WriteLine("error: " + line);
+        Terminal.Error(line);
         return 2;
     }
 

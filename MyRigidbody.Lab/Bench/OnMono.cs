@@ -1,6 +1,5 @@
 using System.Globalization;
 using RigidBodyDynamics.Lab.Output;
-using Spectre.Console;
 
 namespace RigidBodyDynamics.Lab.Bench;
 
@@ -58,13 +57,13 @@ internal sealed record OnMono(IReadOnlyList<OnMono.Row> Times, string Problem)
     }
 
     /// <summary>As people read it.</summary>
-    public Table Table()
+    public TextTable Table()
     {
-        Table table = Terminal.NewTable("One body on CoreCLR and on Mono", "CoreCLR, ns", "Mono, ns", "ratio");
+        TextTable table = new("One body on CoreCLR and on Mono", "CoreCLR, ns", "Mono, ns", "ratio");
         foreach (Row row in Times)
         {
             string[] cells = [row.What, CostTables.Number(row.CoreClr), CostTables.Number(row.Mono), CostTables.Number(row.Mono / row.CoreClr)];
-            table.AddRow(cells.Select(cell => new Text(cell)));
+            table.AddRow(cells);
         }
 
         return table;

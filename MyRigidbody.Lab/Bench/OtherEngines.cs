@@ -1,7 +1,6 @@
 using System.Globalization;
 using RigidBodyDynamics.Lab.Output;
 using RigidBodyDynamics.Lab.Package;
-using Spectre.Console;
 
 namespace RigidBodyDynamics.Lab.Bench;
 
@@ -65,11 +64,11 @@ internal sealed record OtherEngines(IReadOnlyList<OtherEngines.Row> Rows, string
     }
 
     /// <summary>As people read it.</summary>
-    public Table Table()
+    public TextTable Table()
     {
-        Table table = Terminal.NewTable("A thousand free bodies, beside other engines", "ns a step", "off after 100 s, rad");
+        TextTable table = new("A thousand free bodies, beside other engines", "ns a step", "off after 100 s, rad");
         foreach (Row row in Rows)
-            table.AddRow(new Text(row.Engine), new Text(CostTables.Number(row.Nanoseconds)), new Text(CostTables.Error(row.AngleError)));
+            table.AddRow(row.Engine, CostTables.Number(row.Nanoseconds), CostTables.Error(row.AngleError));
 
         return table;
     }

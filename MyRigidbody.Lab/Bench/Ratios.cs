@@ -1,6 +1,5 @@
 using System.Globalization;
 using RigidBodyDynamics.Lab.Output;
-using Spectre.Console;
 
 namespace RigidBodyDynamics.Lab.Bench;
 
@@ -13,9 +12,9 @@ internal static class Ratios
             .SelectMany(pair => new[] { pair.Of, pair.To }).Distinct();
 
     /// <summary>All ratios that the measurements allow.</summary>
-    public static Table Table(IReadOnlyList<Measurement> all)
+    public static TextTable Table(IReadOnlyList<Measurement> all)
     {
-        Table table = Terminal.NewTable("ratio", "of", "to", "is");
+        TextTable table = new("ratio", "of", "to", "is");
         foreach ((string title, string of, string to) in Single())
             Add(title, of, to);
 
@@ -33,8 +32,8 @@ internal static class Ratios
             if (a is not null && b is not null)
             {
                 string many = bodies > 1 ? $", {bodies:N0} bodies" : string.Empty;
-                table.AddRow(new Text(title + many), new Text(of), new Text(to + (threads > 1 ? ", two threads" : string.Empty)),
-                    new Text(a.RatioTo(b).ToString(a.Median < 0.01 * b.Median ? "0.0e0" : "0.00", CultureInfo.InvariantCulture)));
+                table.AddRow(title + many, of, to + (threads > 1 ? ", two threads" : string.Empty),
+                    a.RatioTo(b).ToString(a.Median < 0.01 * b.Median ? "0.0e0" : "0.00", CultureInfo.InvariantCulture));
             }
         }
 

@@ -3,7 +3,6 @@ using System.Globalization;
 using System.Text;
 using RigidBodyDynamics.Lab.Bench;
 using RigidBodyDynamics.Lab.Output;
-using Spectre.Console;
 
 namespace RigidBodyDynamics.Lab.Commands;
 
@@ -53,37 +52,37 @@ internal static class BenchCommand
 
         foreach ((string title, IReadOnlyList<Measurement> group) in groups)
         {
-            Table table = Terminal.NewTable(title, "threads", "ns a step", "half of them", "bytes");
+            TextTable table = new(title, "threads", "ns a step", "half of them", "bytes");
             foreach (Measurement m in group)
             {
                 table.AddRow(
-                    new Text(m.What), new Text(m.Threads.ToString(CultureInfo.InvariantCulture)), new Text(Short(m.Median)),
-                    new Text($"{Short(m.Spread.Low)} to {Short(m.Spread.High)}"), new Text(Short(m.BytesAllocated)));
+                    m.What, m.Threads.ToString(CultureInfo.InvariantCulture), Short(m.Median),
+                    $"{Short(m.Spread.Low)} to {Short(m.Spread.High)}", Short(m.BytesAllocated));
                 csv.Append(CultureInfo.InvariantCulture, $"\"{m.What}\",{m.Bodies},{m.Threads},{m.Median:R},{m.BytesAllocated:R}\n");
             }
 
-            Terminal.Out.Write(table);
+            Terminal.Write(table);
         }
 
         if (onMono.Problem.Length > 0)
-            Console.Out.WriteLine("One body on CoreCLR and on Mono: left out, because " + onMono.Problem);
+            Terminal.WriteLine("One body on CoreCLR and on Mono: left out, because " + onMono.Problem);
         else
-            Terminal.Out.Write(onMono.Table());
+            Terminal.Write(onMono.Table());
 
         if (others.Problem.Length > 0)
-            Console.Out.WriteLine("Other engines: left out, because " + others.Problem);
+            Terminal.WriteLine("Other engines: left out, because " + others.Problem);
         else
-            Terminal.Out.Write(others.Table());
+            Terminal.Write(others.Table());
 
         csv.Append(onMono.Csv());
-        Terminal.Out.Write(Ratios.Table([.. groups.SelectMany(group => group.Group)]));
+        Terminal.Write(Ratios.Table([.. groups.SelectMany(group => group.Group)]));
         using Files files = new(folder, file);
         files.Write(Path.GetFileName(file), temporary => File.WriteAllText(temporary, csv.ToString(), new UTF8Encoding(false)));
         if (others.Rows.Count > 0)
             files.Write(EnginesFile, temporary => File.WriteAllText(temporary, others.Csv(), new UTF8Encoding(false)));
 
         files.Keep();
-        Console.Out.WriteLine("written: " + file + (others.Rows.Count > 0 ? $", and {EnginesFile} beside it" : string.Empty));
+        Terminal.WriteLine("written: " + file + (others.Rows.Count > 0 ? $", and {EnginesFile} beside it" : string.Empty));
         return 0;
     }
 

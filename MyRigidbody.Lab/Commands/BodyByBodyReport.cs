@@ -1,6 +1,5 @@
 using System.Globalization;
 using RigidBodyDynamics.Lab.Output;
-using Spectre.Console;
 
 namespace RigidBodyDynamics.Lab.Commands;
 
@@ -12,31 +11,32 @@ internal static class BodyByBodyReport
     {
         bool sharesStep = found.OneStep.Count > 0;
         string step = sharesStep ? CostTables.Step(found.OneStep[0].Step) : string.Empty;
-        Table table = Terminal.NewTable(["body by body", "integrator", "step, s", "error", "µs per s", .. sharesStep ? [$"all in {step} s", "error", "µs per s"] : Array.Empty<string>()]);
-        foreach (int column in new[] { 2, 3, 4, 6, 7 }.Where(column => column < table.Columns.Count))
-        {
-            table.Columns[column].RightAligned();
-        }
+        TextTable table = new TextTable(["body by body", "integrator", "step, s", "error", "µs per s", .. sharesStep ? [$"all in {step} s", "error", "µs per s"] : Array.Empty<string>()])
+            .RightAligned(sharesStep ? [2, 3, 4, 6, 7] : [2, 3, 4]);
 
         for (int i = 0; i < found.Own.Count; i++)
         {
             Trial own = found.Own[i].Best;
             string[] inOneStep = sharesStep ? Cells(found.OneStep[i]) : [];
             string[] cells = [scene.Bodies[i].Name + (found.Own[i].Reached ? string.Empty : " (closest)"), own.Row.Name, CostTables.Step(own.Step), .. Cells(own)[1..], .. inOneStep];
-            table.AddRow(cells.Select(cell => new Text(cell)));
+            table.AddRow(cells);
         }
 
-        Terminal.Out.WriteLine();
-        Terminal.Out.Write(table);
+        Terminal.WriteLine();
+        Terminal.Write(table);
         foreach ((BodyDescription body, Advice own) in scene.Bodies.Zip(found.Own).Where(pair => !pair.Second.Reached))
         {
-            Terminal.Out.WriteLine(FormattableString.Invariant($"{body.Name}: no integrator and step keep the error below {error:R}: {own.Reason}"));
+            Terminal.WriteText(FormattableString.Invariant($"{body.Name}: no integrator and step keep the error below {error:R}: {own.Reason}"));
         }
 
         string[] sums = [.. Sums(forAll, found)];
         if (sums.Length > 0)
         {
-            Terminal.Out.WriteLine("All bodies together, µs per s:\n  " + string.Join("\n  ", sums));
+            Terminal.WriteText("All bodies together, µs per s:");
+            foreach (string sum in sums)
+            {
+                Terminal.WriteText("  " + sum);
+            }
         }
     }
 

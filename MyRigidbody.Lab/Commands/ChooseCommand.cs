@@ -3,7 +3,6 @@ using System.Text.Json;
 using System.Text.Json.Nodes;
 using RigidBodyDynamics.Lab.Comparison;
 using RigidBodyDynamics.Lab.Output;
-using Spectre.Console;
 
 namespace RigidBodyDynamics.Lab.Commands;
 
@@ -57,7 +56,7 @@ internal static class ChooseCommand
 
         if (asJson)
         {
-            Console.Out.WriteLine(Json(scene, error, advice, lab, each));
+            Terminal.WriteJson(Json(scene, error, advice, lab, each));
         }
         else
         {
@@ -76,11 +75,7 @@ internal static class ChooseCommand
 
     private static void Print(Scene scene, double error, Advice advice, Trial lab)
     {
-        Table table = Terminal.NewTable("", "integrator", "step, s", "error", "µs per s", "× lab");
-        foreach (TableColumn column in table.Columns.Skip(2))
-        {
-            column.RightAligned();
-        }
+        TextTable table = new TextTable("", "integrator", "step, s", "error", "µs per s", "× lab").RightAligned(2, 3, 4, 5);
 
         Add(advice.Reached ? "cheapest" : "closest", advice.Best);
         if (advice.RunnerUp != null)
@@ -88,21 +83,21 @@ internal static class ChooseCommand
             Add("next", advice.RunnerUp);
         }
 
-        Terminal.Out.WriteLine(FormattableString.Invariant($"{scene.Name}: error below {error:R} (the larger of rad and m)"));
-        Terminal.Out.Write(table);
-        Terminal.Out.WriteLine("µs per s: per simulated second and body. × lab: a step, in steps of LabEuler.");
+        Terminal.WriteText(FormattableString.Invariant($"{scene.Name}: error below {error:R} (the larger of rad and m)"));
+        Terminal.Write(table);
+        Terminal.WriteText("µs per s: per simulated second and body. × lab: a step, in steps of LabEuler.");
         if (advice.RunnerUp != null)
         {
-            Terminal.Out.WriteLine($"{advice.RunnerUp.Row.Name} costs {CostTables.Number(advice.Factor)} times as much as {advice.Best.Row.Name}.");
+            Terminal.WriteText($"{advice.RunnerUp.Row.Name} costs {CostTables.Number(advice.Factor)} times as much as {advice.Best.Row.Name}.");
         }
 
         void Add(string what, Trial trial) => table.AddRow(
-            new Text(what),
-            new Text(trial.Row.Name),
-            new Text(CostTables.Step(trial.Step)),
-            new Text(CostTables.Error(trial.Error)),
-            new Text(CostTables.Number(1e6 * trial.Cost)),
-            new Text(CostTables.Number(trial.NanosecondsPerStep / lab.NanosecondsPerStep)));
+            what,
+            trial.Row.Name,
+            CostTables.Step(trial.Step),
+            CostTables.Error(trial.Error),
+            CostTables.Number(1e6 * trial.Cost),
+            CostTables.Number(trial.NanosecondsPerStep / lab.NanosecondsPerStep));
     }
 
     private static string Json(Scene scene, double error, Advice advice, Trial lab, BodyByBody? each)

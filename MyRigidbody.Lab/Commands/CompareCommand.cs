@@ -3,7 +3,6 @@ using System.Text;
 using RigidBodyDynamics.Lab.Comparison;
 using RigidBodyDynamics.Lab.Output;
 using RigidBodyDynamics.Lab.Report;
-using Spectre.Console;
 
 namespace RigidBodyDynamics.Lab.Commands;
 
@@ -98,18 +97,17 @@ internal static class CompareCommand
 
     private static void Print(Scene scene, List<Findings> found, string folder)
     {
-        IAnsiConsole console = Terminal.Out;
         double duration = scene.Steps.StartOf(scene.Steps.Count);
-        console.WriteLine(FormattableString.Invariant($"{scene.Name}: {scene.About}"));
-        console.WriteLine(FormattableString.Invariant($"{scene.Steps.Count} steps, {duration:0.###} s"));
+        Terminal.WriteText(FormattableString.Invariant($"{scene.Name}: {scene.About}"));
+        Terminal.WriteText(FormattableString.Invariant($"{scene.Steps.Count} steps, {duration:0.###} s"));
         foreach (Findings pair in found)
         {
-            console.WriteLine();
-            console.Write(CompareTables.Of(pair));
+            Terminal.WriteLine();
+            CompareTables.Print(pair);
         }
 
-        console.WriteLine();
-        console.WriteLine($"Written to {folder}: trajectory.csv, apart.csv, summary.json, pictures (.png, .svg), replay.png, which moves, and {Reports.FileName}, to open in the browser");
+        Terminal.WriteLine();
+        Terminal.WriteText($"Written to {folder}: trajectory.csv, apart.csv, summary.json, pictures (.png, .svg), replay.png, which moves, and {Reports.FileName}, to open in the browser");
     }
 
     /// <summary>The trajectories of all bodies, every step.</summary>

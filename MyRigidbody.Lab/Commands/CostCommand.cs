@@ -1,7 +1,6 @@
 using System.CommandLine;
 using RigidBodyDynamics.Lab.Output;
 using RigidBodyDynamics.Lab.Report;
-using Spectre.Console;
 
 namespace RigidBodyDynamics.Lab.Commands;
 
@@ -93,22 +92,21 @@ internal static class CostCommand
 
     private static void Print(List<CostFindings> found, string folder)
     {
-        IAnsiConsole console = Terminal.Out;
         foreach (CostFindings findings in found)
         {
-            console.Write(CostTables.Of(findings));
-            console.WriteLine();
+            CostTables.Print(findings);
+            Terminal.WriteLine();
         }
 
-        console.WriteLine(CostTables.Legend);
-        console.WriteLine();
-        console.WriteLine("The cheapest rule that stays below an error, and what it costs per simulated second:");
+        Terminal.WriteText(CostTables.Legend);
+        Terminal.WriteLine();
+        Terminal.WriteText("The cheapest rule that stays below an error, and what it costs per simulated second:");
         foreach (CostFindings findings in found)
         {
-            console.WriteLine("- " + CostTables.InWords(findings));
+            Terminal.WriteText("- " + CostTables.InWords(findings));
         }
 
-        console.WriteLine();
-        console.WriteLine($"Written to {folder}: cost.csv, a diagram of every motion (.png, .svg), and cost.html, to open in the browser");
+        Terminal.WriteLine();
+        Terminal.WriteText($"Written to {folder}: cost.csv, a diagram of every motion (.png, .svg), and cost.html, to open in the browser");
     }
 }

@@ -60,11 +60,27 @@ internal static class ExplainCommand
         });
 
         if (json)
-            Console.Out.WriteLine(JsonSerializer.Serialize(new { scene = scene.Name, bodies = bodies.Select(body => body.ToJson()) }, Indented));
+            Terminal.WriteJson(JsonSerializer.Serialize(new { scene = scene.Name, bodies = bodies.Select(body => body.ToJson()) }, Indented));
         else
-            Console.Out.Write(string.Join("\n", bodies.Select(body => body.ToText())));
+            Print(bodies);
 
         return 0;
+    }
+
+    private static void Print(List<Explained> bodies)
+    {
+        foreach (Explained body in bodies)
+        {
+            if (body != bodies[0])
+            {
+                Terminal.WriteLine();
+            }
+
+            foreach (string line in body.Lines())
+            {
+                Terminal.WriteLine(line);
+            }
+        }
     }
 
     /// <summary>One or more bodies that move alike.</summary>
@@ -77,7 +93,7 @@ internal static class ExplainCommand
 
         public IReadOnlyList<Saving> Savings { get; set; } = [];
 
-        public string ToText()
+        public IEnumerable<string> Lines()
         {
             string names = string.Join(", ", Names.Take(MostNames)) + (Names.Count > MostNames ? $" and {Names.Count - MostNames} bodies more" : string.Empty);
             List<string> lines = [$"{names}, by {Plan.Row.Name}"];
@@ -100,7 +116,7 @@ internal static class ExplainCommand
             }
 
             lines.AddRange(Explanation.Notes.Select(note => "  note: " + note));
-            return string.Join('\n', lines) + "\n";
+            return lines;
         }
 
         public object ToJson() => new

@@ -1,7 +1,7 @@
 using System.CommandLine;
+using System.Globalization;
 using System.Text.Json;
 using RigidBodyDynamics.Lab.Output;
-using Spectre.Console;
 
 namespace RigidBodyDynamics.Lab.Commands;
 
@@ -31,18 +31,18 @@ internal static class IntegratorsCommand
                 isDefault = row == Catalogue.Default,
                 about = row.About,
             });
-            Console.Out.WriteLine(JsonSerializer.Serialize(rows, Indented));
+            Terminal.WriteJson(JsonSerializer.Serialize(rows, Indented));
             return 0;
         }
 
-        Table table = Terminal.NewTable("integrator", "order", "keeps, turning freely", "a step costs", "what it is");
+        TextTable table = new("integrator", "order", "keeps, turning freely", "a step costs", "what it is");
         foreach (CatalogueRow row in Catalogue.Rows)
         {
             string name = row == Catalogue.Default ? row.Name + " (default)" : row.Name;
-            table.AddRow(new Text(name), new Text(row.Order.ToString()), new Text(Words(row.Keeps)), new Text(Words(row.Cost)), new Text(row.About));
+            table.AddRow(name, row.Order.ToString(CultureInfo.InvariantCulture), Words(row.Keeps), Words(row.Cost), row.About);
         }
 
-        Terminal.Out.Write(table);
+        Terminal.Write(table);
         return 0;
     }
 

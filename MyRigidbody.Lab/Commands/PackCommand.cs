@@ -2,7 +2,6 @@ using System.CommandLine;
 using System.Globalization;
 using RigidBodyDynamics.Lab.Output;
 using RigidBodyDynamics.Lab.Package;
-using Spectre.Console;
 
 namespace RigidBodyDynamics.Lab.Commands;
 
@@ -32,7 +31,7 @@ internal static class PackCommand
         files.Write(Path.GetFileName(path), to => File.WriteAllBytes(to, package));
         files.Keep();
         Print(assets, package.Length);
-        Console.Out.WriteLine("written: " + path);
+        Terminal.WriteLine("written: " + path);
         return 0;
     }
 
@@ -44,15 +43,14 @@ internal static class PackCommand
 
     private static void Print(IReadOnlyList<Asset> assets, long packed)
     {
-        Table table = Terminal.NewTable("asset", "bytes");
-        table.Columns[1].RightAligned();
+        TextTable table = new TextTable("asset", "bytes").RightAligned();
         foreach (Asset asset in assets.OrderBy(asset => asset.Path, StringComparer.Ordinal))
-            table.AddRow(new Text(asset.Path + (asset.IsFolder ? "/" : string.Empty)), new Text(asset.Content is byte[] content ? Grouped(content.Length) : string.Empty));
+            table.AddRow(asset.Path + (asset.IsFolder ? "/" : string.Empty), asset.Content is byte[] content ? Grouped(content.Length) : string.Empty);
 
-        Terminal.Out.Write(table);
+        Terminal.Write(table);
         int files = assets.Count(asset => !asset.IsFolder);
         long bytes = assets.Sum(asset => asset.Content?.LongLength ?? 0);
-        Console.Out.WriteLine($"{files} files in {assets.Count - files} folders, {Grouped(bytes)} bytes; packed {Grouped(packed)} bytes");
+        Terminal.WriteLine($"{files} files in {assets.Count - files} folders, {Grouped(bytes)} bytes; packed {Grouped(packed)} bytes");
     }
 
     private static string Grouped(long number) => number.ToString("N0", CultureInfo.InvariantCulture);

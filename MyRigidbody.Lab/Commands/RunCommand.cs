@@ -11,6 +11,9 @@ internal static class RunCommand
 {
     private const long StepsBetweenReports = 50_000;
 
+    // a reader who waits is served, and one who has left is noticed
+    private const long MillisecondsBetweenFlushes = 200;
+
     public static Command Create()
     {
         Argument<string> scene = new("SCENE") { Description = "a scene file or a recording" };
@@ -52,7 +55,7 @@ internal static class RunCommand
         Population simulation = Overrides.Named(path, () => new Population(scene, read.Crowds));
         if (output == null)
         {
-            using StreamWriter standard = new(Console.OpenStandardOutput(), new UTF8Encoding(false));
+            using StreamWriter standard = new(StandardOutput.Open(), new UTF8Encoding(false));
             Write(simulation, every, path, standard);
         }
         else
@@ -101,6 +104,7 @@ internal static class RunCommand
 
         Terminal.WithProgress("run " + path, report =>
         {
+            long flushed = Environment.TickCount64;
             long next = every == 0 ? count : Math.Min(every, count);
             while (simulation.StepsDone < count)
             {
@@ -111,6 +115,12 @@ internal static class RunCommand
                     simulation.MustBeFinite(path);
                     simulation.WriteRows(csv);
                     next = every == 0 || next > count - every ? count : next + every;
+                }
+
+                if (Environment.TickCount64 - flushed > MillisecondsBetweenFlushes)
+                {
+                    writer.Flush();
+                    flushed = Environment.TickCount64;
                 }
             }
         });

@@ -1,6 +1,7 @@
 using System.Globalization;
 using System.Text.Encodings.Web;
 using System.Text.Json;
+using RigidBodyDynamics.Lab.Output;
 
 namespace RigidBodyDynamics.Lab.Comparison;
 
@@ -15,7 +16,7 @@ internal static class CompareSummary
     };
 
     /// <summary>The comparisons of a scene as JSON.</summary>
-    public static string Json(Scene scene, IEnumerable<Findings> found) => JsonSerializer.Serialize(
+    public static string Json(Scene scene, IEnumerable<Findings> found) => Text(
         new
         {
             scene = scene.Name,
@@ -23,8 +24,10 @@ internal static class CompareSummary
             steps = scene.Steps.Count,
             duration = scene.Steps.StartOf(scene.Steps.Count),
             pairs = found.Select(Pair),
-        },
-        Options) + "\n";
+        }) + "\n";
+
+    /// <summary>Anything as JSON, with no character in it that nobody sees.</summary>
+    public static string Text(object value) => Visible.Json(JsonSerializer.Serialize(value, Options));
 
     /// <summary>How far each pair is apart over time, as CSV.</summary>
     public static string Csv(IEnumerable<Findings> found)
@@ -32,7 +35,7 @@ internal static class CompareSummary
         List<string> lines = ["body,step,t,distance,angle,turn"];
         foreach (Findings pair in found)
         {
-            string name = "\"" + pair.Pair.Mine.Name.Replace("\"", "\"\"") + "\"";
+            string name = Output.Csv.Cell(pair.Pair.Mine.Name);
             lines.AddRange(pair.Course.Select(row => string.Create(
                 CultureInfo.InvariantCulture,
                 $"{name},{row.Step},{row.Apart.Time:R},{row.Apart.Distance:R},{row.Apart.Angle:R},{row.Apart.Turn:R}")));

@@ -1,7 +1,5 @@
 using System.Globalization;
 using RigidBodyDynamics.Lab.Output;
-using Spectre.Console;
-using Spectre.Console.Rendering;
 
 namespace RigidBodyDynamics.Lab.Comparison;
 
@@ -11,28 +9,25 @@ internal static class CompareTables
     private const int Rows = 10;
 
     /// <summary>The motion, the rules and the frame rates of a pair.</summary>
-    public static IRenderable Of(Findings found)
+    public static void Print(Findings found)
     {
-        List<IRenderable> parts =
-        [
-            new Text($"{found.Pair.Mine.Name} ({found.Pair.Mine.Integrator}) beside {found.Pair.Default.Name} ({found.Pair.Default.Integrator}), in s, m, rad/s, °"),
-            Motion(found),
-            new Text("Why they part: what is different"),
-            Differences(found.Shares),
-            new Text("and how much of it each rule makes, put in one after another"),
-            Shares(found.Shares),
-            new Text("share: how far the exchange moves the body on the way from mine to Unity's, on average "
-                + "over the run; below zero where it takes back what another gives. "
-                + "alone: how far mine moves if only this rule is exchanged" + IfNotTheLabs(found) + ". turn: whole turns counted."),
-            new Text(Environment.NewLine + InWords(found)),
-        ];
+        Terminal.WriteText($"{found.Pair.Mine.Name} ({found.Pair.Mine.Integrator}) beside {found.Pair.Default.Name} ({found.Pair.Default.Integrator}), in s, m, rad/s, °");
+        Terminal.Write(Motion(found));
+        Terminal.WriteText("Why they part: what is different");
+        Terminal.Write(Differences(found.Shares));
+        Terminal.WriteText("and how much of it each rule makes, put in one after another");
+        Terminal.Write(Shares(found.Shares));
+        Terminal.WriteText("share: how far the exchange moves the body on the way from mine to Unity's, on average "
+            + "over the run; below zero where it takes back what another gives. "
+            + "alone: how far mine moves if only this rule is exchanged" + IfNotTheLabs(found) + ". turn: whole turns counted.");
+        Terminal.WriteLine();
+        Terminal.WriteText(InWords(found));
         if (found.FrameRates.Count > 0)
         {
-            parts.Add(new Text(Environment.NewLine + $"{found.Pair.Default.Name} when AddForce is called in Update instead of FixedUpdate"));
-            parts.Add(FrameRates(found.FrameRates));
+            Terminal.WriteLine();
+            Terminal.WriteText($"{found.Pair.Default.Name} when AddForce is called in Update instead of FixedUpdate");
+            Terminal.Write(FrameRates(found.FrameRates));
         }
-
-        return new Spectre.Console.Rows(parts);
     }
 
     /// <summary>How far they part and what makes it, in two sentences.</summary>
@@ -45,20 +40,14 @@ internal static class CompareTables
             + Makers(shares.Shares, share => share.Turn, shares.Whole.MeanTurn);
     }
 
-    private static Table Motion(Findings found)
+    private static TextTable Motion(Findings found)
     {
-        Table table = Terminal.NewTable("t", "mine at", "spin", "Unity's at", "spin", "apart", "angle");
-        foreach (int column in new[] { 0, 2, 4, 5, 6 })
-        {
-            table.Columns[column].RightAligned();
-        }
-
+        TextTable table = new TextTable("t", "mine at", "spin", "Unity's at", "spin", "apart", "angle").RightAligned(0, 2, 4, 5, 6);
         int last = found.Course.Count - 1;
         foreach (int at in Enumerable.Range(0, Rows + 1).Select(i => (int)((long)i * last / Rows)).Distinct())
         {
             Compared row = found.Course[at];
-            Add(
-                table,
+            table.AddRow(
                 Fixed(row.Apart.Time, 2),
                 Position(row.Mine.Position),
                 Fixed(row.Mine.AngularVelocity.Length, 2),
@@ -71,37 +60,30 @@ internal static class CompareTables
         return table;
     }
 
-    private static Table Differences(RuleShares found)
+    private static TextTable Differences(RuleShares found)
     {
-        Table table = Terminal.NewTable("rule", "mine", "Unity's");
+        TextTable table = new("rule", "mine", "Unity's");
         foreach (RuleShare share in found.Shares)
         {
-            Add(table, share.Rule.Name, share.Rule.Mine, share.Rule.Unitys);
+            table.AddRow(share.Rule.Name, share.Rule.Mine, share.Rule.Unitys);
         }
 
         return table;
     }
 
-    private static Table Shares(RuleShares found)
+    private static TextTable Shares(RuleShares found)
     {
-        Table table = Terminal.NewTable("rule", "share of distance", "share of turn", "alone");
-        foreach (TableColumn column in table.Columns.Skip(1))
-        {
-            column.RightAligned();
-        }
-
+        TextTable table = new TextTable("rule", "share of distance", "share of turn", "alone").RightAligned();
         foreach (RuleShare share in found.Shares)
         {
-            Add(
-                table,
+            table.AddRow(
                 share.Rule.Name,
                 $"{Length(share.Distance)} m {Percent(share.Distance, found.Whole.MeanDistance),8}",
                 $"{Degrees(share.Turn)}° {Percent(share.Turn, found.Whole.MeanTurn),8}",
                 $"{Length(share.Alone.MeanDistance)} m {Degrees(share.Alone.MeanTurn),8}°");
         }
 
-        Add(
-            table,
+        table.AddRow(
             "all",
             $"{Length(found.Shares.Sum(share => share.Distance))} m {Percent(found.Whole.MeanDistance, found.Whole.MeanDistance),8}",
             $"{Degrees(found.Shares.Sum(share => share.Turn))}° {Percent(found.Whole.MeanTurn, found.Whole.MeanTurn),8}",
@@ -109,18 +91,12 @@ internal static class CompareTables
         return table;
     }
 
-    private static Table FrameRates(IReadOnlyList<FrameRate> rates)
+    private static TextTable FrameRates(IReadOnlyList<FrameRate> rates)
     {
-        Table table = Terminal.NewTable("frames a second", "arrows push ×", "\"r\" turns ×", "apart at the end", "turned apart");
-        foreach (TableColumn column in table.Columns)
-        {
-            column.RightAligned();
-        }
-
+        TextTable table = new TextTable("frames a second", "arrows push ×", "\"r\" turns ×", "apart at the end", "turned apart").RightAligned(0, 1, 2, 3, 4);
         foreach (FrameRate rate in rates)
         {
-            Add(
-                table,
+            table.AddRow(
                 rate.FramesPerSecond.ToString(CultureInfo.InvariantCulture),
                 Ratio(rate.Impulse),
                 Ratio(rate.AngularImpulse),
@@ -138,8 +114,6 @@ internal static class CompareTables
             .Select(share => $"{share.Rule.Name} {Percent(of(share), whole)}")];
         return makers.Length > 0 ? ": " + string.Join(", ", makers) + "." : ".";
     }
-
-    private static void Add(Table table, params string[] cells) => table.AddRow(cells.Select(cell => new Text(cell)));
 
     private static string Position(Vector3d p) => $"{Fixed(p.X, 2)} {Fixed(p.Y, 2)} {Fixed(p.Z, 2)}";
 

@@ -1,9 +1,7 @@
 using System.Globalization;
-using System.Text.Json;
 using RigidBodyDynamics.Lab.Commands;
 using RigidBodyDynamics.Lab.Output;
 using RigidBodyDynamics.Lab.Report;
-using Spectre.Console;
 
 namespace RigidBodyDynamics.Lab.Comparison;
 
@@ -106,17 +104,16 @@ internal sealed class RecordingComparison
 
     private void Print(Scene scene, string folder)
     {
-        Table table = Terminal.NewTable("of", "largest difference");
+        TextTable table = new("of", "largest difference");
         foreach (RecordingTable.Row row in Rows())
         {
-            table.AddRow(new Text(row.What.En), new Text(row.Largest));
+            table.AddRow(row.What.En, row.Largest);
         }
 
-        IAnsiConsole console = Terminal.Out;
-        console.WriteLine($"{scene.Name}: {scene.About}");
-        console.WriteLine(Lead(scene).En);
-        console.Write(table);
-        console.WriteLine($"Written to {folder}: trajectory.csv, summary.json, pictures (.png, .svg), replay.png, which moves, and {Reports.FileName}, to open in the browser");
+        Terminal.WriteText($"{scene.Name}: {scene.About}");
+        Terminal.WriteText(Lead(scene).En);
+        Terminal.Write(table);
+        Terminal.WriteText($"Written to {folder}: trajectory.csv, summary.json, pictures (.png, .svg), replay.png, which moves, and {Reports.FileName}, to open in the browser");
     }
 
     private Word Lead(Scene scene) => _parts == null
@@ -127,7 +124,7 @@ internal sealed class RecordingComparison
         Words.Phrase(part.Name),
         string.Create(CultureInfo.InvariantCulture, $"{_farthest[i]:G3} {part.Unit}").Trim()));
 
-    private string Json(Scene scene) => JsonSerializer.Serialize(
+    private string Json(Scene scene) => CompareSummary.Text(
         new
         {
             recording = scene.Name,
@@ -135,6 +132,5 @@ internal sealed class RecordingComparison
             bitForBit = _parts == null,
             firstParts = _parts,
             largestDifference = Parts.Select((part, i) => (part.Name, Value: _farthest[i])).ToDictionary(part => part.Name, part => part.Value),
-        },
-        CompareSummary.Options) + "\n";
+        }) + "\n";
 }

@@ -17,7 +17,7 @@ internal static class CostCsv
         StringBuilder text = new(Header + "\n");
         foreach (CostFindings findings in found)
         {
-            string scene = TrajectoryCsv.Quoted(findings.Motion.Scene.Name);
+            string scene = Csv.Cell(findings.Motion.Scene.Name);
             foreach (Trial t in findings.Trials)
             {
                 text.Append(

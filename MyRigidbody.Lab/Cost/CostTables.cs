@@ -1,7 +1,5 @@
 using System.Globalization;
 using RigidBodyDynamics.Lab.Output;
-using Spectre.Console;
-using Spectre.Console.Rendering;
 
 namespace RigidBodyDynamics.Lab;
 
@@ -16,26 +14,21 @@ internal static class CostTables
         + "A rule's own drag and limits count as error, and so does a step that misses the beginning of an effect.";
 
     /// <summary>A row an integrator.</summary>
-    public static IRenderable Of(CostFindings found)
+    public static void Print(CostFindings found)
     {
         string[] bounds = [.. CostFindings.Bounds.Select(bound => "to " + Exponent(bound))];
-        Table table = Terminal.NewTable(["integrator", "at 1/50", "ns", "× lab", .. bounds]);
-        foreach (TableColumn column in table.Columns.Skip(1))
-        {
-            column.RightAligned();
-        }
-
+        TextTable table = new TextTable(["integrator", "at 1/50", "ns", "× lab", .. bounds]).RightAligned();
         foreach (CatalogueRow row in Catalogue.Rows)
         {
             Trial game = found.InGame(row);
             IEnumerable<string> costs = CostFindings.Bounds.Select(bound => Number(1e6 * (found.Cheapest(row, bound)?.Cost ?? double.NaN)));
             string[] cells = [row.Name, Error(game.Error), Number(game.NanosecondsPerStep), Number(found.TimesLab(row)), .. costs];
-            table.AddRow(cells.Select(cell => new Text(cell)));
+            table.AddRow(cells);
         }
 
-        Text title = new(FormattableString.Invariant(
-            $"{found.Motion.Scene.Name}: {found.Motion.Scene.About}\n{found.Motion.Origin}; attainable: {Error(found.Motion.Truth.Floor)}"));
-        return new Rows(title, table);
+        Terminal.WriteText($"{found.Motion.Scene.Name}: {found.Motion.Scene.About}");
+        Terminal.WriteText($"{found.Motion.Origin}; attainable: {Error(found.Motion.Truth.Floor)}");
+        Terminal.Write(table);
     }
 
     /// <summary>What to take for each error, in a sentence; errors for which it is the same stand together.</summary>

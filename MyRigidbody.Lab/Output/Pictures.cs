@@ -18,6 +18,7 @@ internal static class Pictures
     /// <summary>A plot with a title.</summary>
     public static Plot New(string title)
     {
+        title = Visible.Line(title);
         Fonts.Default = SansFont();
         Plot plot = new();
         plot.Font.Set(Fonts.Default);
@@ -53,7 +54,7 @@ internal static class Pictures
         // where there is none, Skia counts one without a name
         if (SKFontManager.Default.FontFamilies.All(string.IsNullOrEmpty))
         {
-            Console.Error.WriteLine("note: no font on this machine: pictures have lines but no text; install one (Debian: fonts-dejavu-core)");
+            Terminal.Note("no font on this machine: pictures have lines but no text; install one (Debian: fonts-dejavu-core)");
         }
     }
 

@@ -2,37 +2,33 @@ using Spectre.Console;
 
 namespace RigidBodyDynamics.Lab.Output;
 
-/// <summary>Where people read: tables on standard output, progress on standard error.</summary>
+/// <summary>
+/// Where people read: results on standard output, errors and progress on standard error. Nothing else in the program writes
+/// there, and every text passes <see cref="Visible"/>.
+/// </summary>
 internal static class Terminal
 {
+    // wide and plain in a pipe
     private const int PipeWidth = 150;
+    private const int LongestError = 1000;
 
-    /// <summary>Standard output; wide and plain in a pipe.</summary>
-    public static IAnsiConsole Out
-    {
-        get
-        {
-            IAnsiConsole console = AnsiConsole.Create(new AnsiConsoleSettings { Out = new AnsiConsoleOutput(Console.Out) });
-            if (Console.IsOutputRedirected)
-            {
-                console.Profile.Width = PipeWidth;
-            }
+    /// <summary>A line, however long.</summary>
+    public static void WriteLine(string line = "") => Console.Out.WriteLine(Visible.Line(line));
 
-            return console;
-        }
-    }
+    /// <summary>A text of one paragraph, broken between words where the terminal is too narrow for it.</summary>
+    public static void WriteText(string text) => Out().WriteLine(Visible.Line(text));
 
-    /// <summary>A table with the given headings.</summary>
-    public static Table NewTable(params string[] headings)
-    {
-        Table table = new Table().Border(TableBorder.Rounded);
-        foreach (string heading in headings)
-        {
-            table.AddColumn(new TableColumn(new Text(heading, new Style(decoration: Decoration.Bold))));
-        }
+    /// <summary>A table.</summary>
+    public static void Write(TextTable table) => table.Draw(Out());
 
-        return table;
-    }
+    /// <summary>An answer in JSON.</summary>
+    public static void WriteJson(string json) => Console.Out.WriteLine(Visible.Json(json));
+
+    /// <summary>What is wrong, in one line.</summary>
+    public static void Error(string line) => Console.Error.WriteLine("error: " + Visible.Line(line, LongestError));
+
+    /// <summary>What the user should know, in one line.</summary>
+    public static void Note(string line) => Console.Error.WriteLine("note: " + Visible.Line(line, LongestError));
 
     /// <summary>Does long work; a bar on a terminal, silence in a pipe.</summary>
     /// <param name="what">What is being done.</param>
@@ -48,8 +44,19 @@ internal static class Terminal
         IAnsiConsole error = AnsiConsole.Create(new AnsiConsoleSettings { Out = new AnsiConsoleOutput(Console.Error) });
         error.Progress().AutoClear(true).Start(context =>
         {
-            ProgressTask task = context.AddTask(Markup.Escape(what), maxValue: 1);
+            ProgressTask task = context.AddTask(Markup.Escape(Visible.Line(what)), maxValue: 1);
             work(done => task.Value = done);
         });
+    }
+
+    private static IAnsiConsole Out()
+    {
+        IAnsiConsole console = AnsiConsole.Create(new AnsiConsoleSettings { Out = new AnsiConsoleOutput(Console.Out) });
+        if (Console.IsOutputRedirected)
+        {
+            console.Profile.Width = PipeWidth;
+        }
+
+        return console;
     }
 }

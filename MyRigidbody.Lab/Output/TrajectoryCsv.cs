@@ -27,7 +27,7 @@ internal sealed class TrajectoryCsv(TextWriter writer)
     /// <summary>A row.</summary>
     public void WriteRow(string body, long step, double time, in BodyState state, MassProperties mass, bool isAsleep)
     {
-        writer.Write(Quoted(body));
+        writer.Write(Csv.Cell(body));
         writer.Write(',');
         writer.Write(step.ToString(CultureInfo.InvariantCulture));
         Write(time);
@@ -40,10 +40,6 @@ internal sealed class TrajectoryCsv(TextWriter writer)
         Write(Conserved.KineticEnergy(state, mass));
         writer.Write(isAsleep ? ",1\n" : ",0\n");
     }
-
-    /// <summary>A text as a cell of a table.</summary>
-    internal static string Quoted(string name) =>
-        name.AsSpan().IndexOfAny(",\"\n\r") < 0 ? name : "\"" + name.Replace("\"", "\"\"") + "\"";
 
     private void Write(Vector3d vector)
     {

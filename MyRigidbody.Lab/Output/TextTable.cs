@@ -1,0 +1,38 @@
+using Spectre.Console;
+
+namespace RigidBodyDynamics.Lab.Output;
+
+/// <summary>A table for a terminal; its cells are texts and stay in their lines.</summary>
+internal sealed class TextTable
+{
+    private readonly Table _table = new Table().Border(TableBorder.Rounded);
+
+    /// <summary>A table with these headings.</summary>
+    public TextTable(params IEnumerable<string> headings)
+    {
+        foreach (string heading in headings)
+        {
+            _table.AddColumn(new TableColumn(new Text(Visible.Line(heading), new Style(decoration: Decoration.Bold))));
+        }
+    }
+
+    /// <summary>The number of its columns.</summary>
+    public int Columns => _table.Columns.Count;
+
+    /// <summary>Numbers stand at the right: in these columns, or in all but the first.</summary>
+    public TextTable RightAligned(params int[] columns)
+    {
+        foreach (int column in columns.Length > 0 ? columns : Enumerable.Range(1, Columns - 1))
+        {
+            _table.Columns[column].RightAligned();
+        }
+
+        return this;
+    }
+
+    /// <summary>A row, with a text for every column.</summary>
+    public void AddRow(params IEnumerable<string> cells) => _table.AddRow(cells.Select(cell => new Text(Visible.Line(cell))));
+
+    /// <summary>Where it is drawn.</summary>
+    internal void Draw(IAnsiConsole console) => console.Write(_table);
+}
