@@ -26,7 +26,7 @@ public static class Advisor
     public static Advice Choose(Scene scene, double error, Action<double>? progress = null)
     {
         Guard.Positive(error, nameof(error));
-        Truth truth = Truth.Of(scene, done => progress?.Invoke(0.4 * done));
+        Truth truth = Truth.Of(scene, done => progress?.Invoke(0.4 * done), error);
         return Choose(scene, truth, error, done => progress?.Invoke(0.4 + 0.6 * done));
     }
 
@@ -43,10 +43,10 @@ public static class Advisor
             bool isBelow = false;
             foreach (int parts in Parts)
             {
-                if (isBelow || truth.Samples[truth.Samples.Count - 1].At * parts > MostSteps)
+                if (isBelow || truth.Duration / truth.BaseStep * parts > MostSteps)
                     break;
 
-                Trial trial = Trial.Of(scene, truth, Catalogue.Rows[i], parts);
+                Trial trial = Trial.Of(scene, truth, Catalogue.Rows[i], truth.BaseStep / parts);
                 isBelow = IsBelow(trial, truth, error);
                 if (isBelow)
                     below.Add(trial);
@@ -68,8 +68,8 @@ public static class Advisor
         return new Advice(truth, best, Cheapest(below), string.Empty);
     }
 
-    /// <summary>True if a trial keeps the bound, whatever the truth is uncertain by.</summary>
-    internal static bool IsBelow(Trial trial, Truth truth, double error) => trial.Error + truth.Uncertainty < error;
+    /// <summary>True if a trial keeps the bound, whatever the truth is uncertain by and the last bit of the start changes.</summary>
+    internal static bool IsBelow(Trial trial, Truth truth, double error) => trial.Error + truth.Uncertainty + truth.Floor < error;
 
     /// <summary>The cheapest of some trials whose time was taken; of those that cost the same, the one that stands first.</summary>
     internal static Trial FirstOfCheapest(List<Trial> trials) => trials.First(trial => trial.Cost <= SameCost * Cheapest(trials)!.Cost);

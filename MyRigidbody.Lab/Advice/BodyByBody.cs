@@ -48,14 +48,14 @@ public sealed class BodyByBody
         for (int i = 0; i < own.Length; i++)
         {
             int before = i;
-            own[i] = Advisor.Choose(alone[i], error, done => progress?.Invoke(0.8 * (before + done) / alone.Length));
+            own[i] = Advisor.Choose(alone[i], forAll.Truth.Alone(i), error, done => progress?.Invoke(0.8 * (before + done) / alone.Length));
         }
 
         Trial[] oneRule = forAll.Reached
-            ? [.. alone.Select((body, i) => Trial.Of(body, own[i].Truth, forAll.Best.Row, forAll.Best.Parts))]
+            ? [.. alone.Select((body, i) => Trial.Of(body, own[i].Truth, forAll.Best.Row, forAll.Best.Step))]
             : [];
         List<Trial>[][] byStep = [.. StepsForAll(own, forAll)
-            .Select(parts => alone.Select((body, i) => Below(body, own[i], parts, error)).ToArray())
+            .Select(step => alone.Select((body, i) => Below(body, own[i], step, error)).ToArray())
             .Where(bodies => bodies.All(trials => trials.Count > 0))];
 
         // what is added up and compared is timed in the same turns
@@ -64,18 +64,17 @@ public sealed class BodyByBody
         return new BodyByBody(own, oneRule, byStep.Select(bodies => bodies.Select(Advisor.FirstOfCheapest).ToArray()).MinBy(CostOf) ?? []);
     }
 
-    /// <summary>As parts of a base step, which all bodies have in common, because it depends on the duration only.</summary>
-    private static IEnumerable<int> StepsForAll(Advice[] own, Advice forAll)
+    private static IEnumerable<double> StepsForAll(Advice[] own, Advice forAll)
     {
         if (!own.All(advice => advice.Reached))
             return [];
 
-        int shortest = own.Max(advice => advice.Best.Parts);
-        return forAll.Reached ? new[] { shortest, forAll.Best.Parts }.Distinct() : [shortest];
+        double shortest = own.Min(advice => advice.Best.Step);
+        return forAll.Reached ? new[] { shortest, forAll.Best.Step }.Distinct() : [shortest];
     }
 
     /// <summary>The rules that keep a body below the bound; in its own step only its own, which is known to be the cheapest.</summary>
-    private static List<Trial> Below(Scene alone, Advice own, int parts, double error) => own.Best.Parts == parts
+    private static List<Trial> Below(Scene alone, Advice own, double step, double error) => own.Best.Step == step
         ? [own.Best]
-        : [.. Catalogue.Rows.Select(row => Trial.Of(alone, own.Truth, row, parts)).Where(trial => Advisor.IsBelow(trial, own.Truth, error))];
+        : [.. Catalogue.Rows.Select(row => Trial.Of(alone, own.Truth, row, step)).Where(trial => Advisor.IsBelow(trial, own.Truth, error))];
 }

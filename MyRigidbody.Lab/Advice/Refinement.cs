@@ -1,54 +1,60 @@
 namespace RigidBodyDynamics.Lab;
 
-/// <summary>Runs a scene in shorter and shorter steps.</summary>
+/// <summary>Runs a body in shorter and shorter steps.</summary>
 internal sealed class Refinement
 {
-    private const double Still = 1e-14, NearlyStill = 1e-9, LastBit = 1.0 / (1L << 52);
-    private const long MostSteps = 1L << 20;
+    // no power of two, and no divisor of what people write: what swings with whole seconds does not meet it
+    private const int LeastIntervals = 61;
+    private const int LeastBetweenCuts = 4, MostIntervals = 1 << 19;
+    private const double LongestInterval = 1, NearlyStill = 1e-9, LastBit = 1.0 / (1L << 52);
 
-    private readonly Scene _scene;
-    private readonly Cuts _cuts;
+    // of an order below this a rule is not waited for, where another may be better
+    private const double SlowestGain = 6;
 
-    public Refinement(Scene scene)
+    private readonly BodyDescription _body;
+    private readonly double _end;
+    private readonly IReadOnlyList<double> _cuts;
+
+    public Refinement(BodyDescription body, double end)
     {
-        _scene = scene;
-        _cuts = new Cuts(scene);
+        _body = body;
+        _end = end;
+        _cuts = new Cuts(body, end).Times;
     }
 
-    public Truth Run(Action<double> progress)
+    /// <summary>The path, how far the one in steps twice as long was from it at all of its states, and what the last bit of the start changes.</summary>
+    public (MotionPath Path, double Uncertainty, double Floor) Run(double still, Action<double> progress)
     {
-        string integrator = HighestOrder();
-        BodyState[][] last = Run(integrator, 1, 0), best = last;
-        int bestParts = 1;
-        double uncertainty = double.PositiveInfinity;
-        for (int parts = 2; parts * _cuts.Count <= MostSteps && uncertainty > Still; parts *= 2)
+        (MotionPath Path, string Integrator, int Parts, double Change) best = (null!, string.Empty, 0, double.PositiveInfinity);
+        foreach (string integrator in new[] { HighestOrder(), "RungeKutta4" })
         {
-            BodyState[][] next = Run(integrator, parts, 0);
-            double change = Apart(last, next)[_cuts.At.Length - 1];
-            progress(parts * (double)_cuts.Count / MostSteps);
-            last = next;
-            if (change < uncertainty)
+            double before = double.PositiveInfinity;
+            int slow = 0;
+            bool rounds = false;
+            MotionPath last = Path(integrator, 1, 0);
+            for (int parts = 2; Intervals(parts).Sum() <= MostIntervals && best.Change > still && slow < 2 && !rounds; parts *= 2)
             {
-                best = next;
-                bestParts = parts;
-                uncertainty = change;
-            }
-            else if (uncertainty < NearlyStill)
-            {
+                MotionPath next = Path(integrator, parts, 0);
+                double change = Apart(last, next);
+                progress(Math.Min(1, Intervals(parts).Sum() / (double)MostIntervals));
                 // a small change that grows again is made of roundings
-                break;
+                rounds = change >= before && before < NearlyStill;
+                slow = before < double.PositiveInfinity && change < 0.01 && before < SlowestGain * change ? slow + 1 : 0;
+                if (change < best.Change)
+                    best = (next, integrator, parts, change);
+
+                last = next;
+                before = change;
             }
+
+            if (best.Change <= still || rounds)
+                break;
         }
 
-        if (!Guard.IsFinite(uncertainty))
-            throw Guard.Refused("scene", _scene.Name, "must have a motion without infinite numbers");
+        if (!Guard.IsFinite(best.Change))
+            throw Guard.Refused("body", _body.Name, "must have a motion without infinite numbers");
 
-        double[] floor = Apart(best, Run(integrator, bestParts, LastBit));
-        TruthSample[] samples = new TruthSample[_cuts.At.Length];
-        for (int i = 0; i < samples.Length; i++)
-            samples[i] = new TruthSample(_cuts.At[i], Math.Min(floor[i], double.MaxValue), best[i]);
-
-        return new Truth(_cuts.BaseStep, uncertainty, samples);
+        return (best.Path, best.Change, Math.Min(Apart(best.Path, Path(best.Integrator, best.Parts, LastBit)), double.MaxValue));
     }
 
     private static string HighestOrder()
@@ -64,55 +70,58 @@ internal sealed class Refinement
         return highest.Name;
     }
 
-    /// <summary>The states at all samples, with so many steps between two cuts, from a start that is moved by a part of itself.</summary>
-    private BodyState[][] Run(string integrator, int parts, double nudge)
+    /// <summary>How many intervals there are between two cuts.</summary>
+    private IEnumerable<int> Intervals(int parts)
     {
-        Scene scene = StepFree.By(_scene, integrator, _cuts.Divided(parts));
-        foreach (BodyDescription body in scene.Bodies)
+        double longest = Math.Min(_end / LeastIntervals, LongestInterval);
+        return _cuts.Skip(1).Select((cut, i) => parts * (int)Math.Max(LeastBetweenCuts, Math.Ceiling((cut - _cuts[i]) / longest)));
+    }
+
+    /// <summary>The motion from a start that is moved by a part of itself.</summary>
+    private MotionPath Path(string integrator, int parts, double nudge)
+    {
+        int[] intervals = [.. Intervals(parts)];
+        List<double> lengths = [];
+        for (int i = 0; i < intervals.Length; i++)
+            lengths.AddRange(Enumerable.Repeat((_cuts[i + 1] - _cuts[i]) / intervals[i], intervals[i]));
+
+        BodyDescription body = _body.Copy(_body.Name, _body.Mass);
+        BodyState s = body.Start;
+        body.Integrator = integrator;
+        body.Start = new BodyState(
+            Nudged(s.Position, nudge),
+            new Quaterniond(s.Orientation.W * (1 + nudge), Nudged(s.Orientation.Vector, -nudge)),
+            Nudged(s.Velocity, nudge),
+            Nudged(s.AngularVelocity, nudge));
+        TimeSteps steps = TimeSteps.Of(lengths);
+        Simulation simulation = new Simulation(steps, body);
+        BodyState[] states = new BodyState[lengths.Count + 1];
+        states[0] = simulation.Bodies[0].State;
+        for (int i = 1; i < states.Length; i++)
         {
-            BodyState s = body.Start;
-            body.Start = new BodyState(
-                Nudged(s.Position, nudge),
-                new Quaterniond(s.Orientation.W * (1 + nudge), Nudged(s.Orientation.Vector, -nudge)),
-                Nudged(s.Velocity, nudge),
-                Nudged(s.AngularVelocity, nudge));
+            simulation.Step();
+            states[i] = simulation.Bodies[0].State;
         }
 
-        Simulation simulation = new Simulation(scene);
-        BodyState[][] states = new BodyState[_cuts.At.Length][];
-        for (int i = 0; i < states.Length; i++)
-        {
-            simulation.Step(_cuts.StepsTo(i, parts) - simulation.StepsDone);
-            states[i] = new BodyState[simulation.Bodies.Count];
-            for (int j = 0; j < states[i].Length; j++)
-                states[i][j] = simulation.Bodies[j].State;
-        }
-
-        return states;
+        return new MotionPath(body, _cuts, intervals, steps, states);
     }
 
     private static Vector3d Nudged(Vector3d v, double e) => new Vector3d(v.X * (1 + e), v.Y * (1 - e), v.Z * (1 + e));
 
-    /// <summary>How far two runs have been apart up to each sample, and at least the last bit of what is compared.</summary>
-    private static double[] Apart(BodyState[][] a, BodyState[][] b)
+    /// <summary>How far a path is at most from the states of one that has as many or more, and at least the last bit of what is compared.</summary>
+    private static double Apart(MotionPath path, MotionPath other)
     {
-        double[] apart = new double[a.Length];
         double largest = 0;
-        for (int i = 0; i < apart.Length; i++)
+        for (int i = 0; i < other.States.Count; i++)
         {
-            for (int j = 0; j < a[i].Length; j++)
-            {
-                double angle = Conserved.AngleBetween(a[i][j].Orientation, b[i][j].Orientation);
-                double distance = (a[i][j].Position - b[i][j].Position).Length;
-                double least = 0.5 * LastBit * Math.Max(1, a[i][j].Position.Length);
-                largest = angle + distance < double.PositiveInfinity
-                    ? Math.Max(Math.Max(largest, least), Math.Max(angle, distance))
-                    : double.PositiveInfinity;
-            }
+            BodyState right = other.States[i];
+            double apart = MotionPath.Apart(path.At(other.Times[i]), right);
+            if (!(apart < double.PositiveInfinity))
+                return double.PositiveInfinity;
 
-            apart[i] = largest;
+            largest = Math.Max(largest, Math.Max(apart, 0.5 * LastBit * Math.Max(1, right.Position.Length)));
         }
 
-        return apart;
+        return largest;
     }
 }

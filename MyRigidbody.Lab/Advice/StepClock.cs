@@ -5,11 +5,8 @@ namespace RigidBodyDynamics.Lab;
 /// <summary>Takes the time that steps need. The one clock of the library, and no motion depends on it.</summary>
 public static class StepClock
 {
-    /// <summary>A run that is too long to be timed whole is timed in pieces from here on: effects may act for a part of it only.</summary>
-    internal const int Places = 16;
-
     // so many steps take long beside a look at the clock
-    private const long Chunk = 2000, Piece = 250;
+    private const long Chunk = 2000;
 
     // a runtime that compiles again what runs often has done so by then, s
     private const double WarmUp = 0.3;
@@ -23,11 +20,12 @@ public static class StepClock
     {
         Guard.Positive(seconds, nameof(seconds));
         Stopwatch warm = Stopwatch.StartNew();
+        TimedRun?[] runs = [.. trials.Select(trial => Guard.IsFinite(trial.Error) ? new TimedRun(trial.Scene) : null)];
         for (int turn = 0; turn <= repeats; turn += turn > 0 || warm.Elapsed.TotalSeconds > WarmUp || trials.Count == 0 ? 1 : 0)
         {
             for (int i = 0; i < trials.Count; i++)
             {
-                double time = Guard.IsFinite(trials[i].Error) ? Nanoseconds(trials[i], seconds) : double.PositiveInfinity;
+                double time = runs[i]?.Nanoseconds(seconds) ?? double.PositiveInfinity;
                 // what comes first is the NaN of a trial without a time
                 if (turn > 0 && !(time >= trials[i].NanosecondsPerStep))
                     trials[i].NanosecondsPerStep = time;
@@ -35,30 +33,6 @@ public static class StepClock
                 progress?.Invoke((turn * trials.Count + i + 1.0) / ((repeats + 1.0) * trials.Count));
             }
         }
-    }
-
-    private static double Nanoseconds(Trial trial, double seconds) => trial.Steps <= Places * Piece
-        ? Nanoseconds(trial.Scene, Omissions.All & ~Omissions.Coasting, seconds)
-        : InPieces(trial.Run!, trial.Places, seconds);
-
-    private static double InPieces(Simulation simulation, IReadOnlyList<SavedSimulation> places, double seconds)
-    {
-        Stopwatch clock = new Stopwatch();
-        long done = 0;
-        while (clock.Elapsed.TotalSeconds < seconds)
-        {
-            // all of them or none, so that each counts the same
-            foreach (SavedSimulation place in places)
-            {
-                simulation.Restore(place);
-                clock.Start();
-                simulation.Step(Piece);
-                clock.Stop();
-                done += Piece;
-            }
-        }
-
-        return 1e9 * clock.Elapsed.TotalSeconds / ((double)done * simulation.Bodies.Count);
     }
 
     /// <summary>For a step of a body, ns: the scene from its start on, as often as fits. To make it takes no time of the clock.</summary>

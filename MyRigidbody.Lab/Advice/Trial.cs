@@ -3,12 +3,11 @@ namespace RigidBodyDynamics.Lab;
 /// <summary>One rule at one step on one scene: how far it is from the truth, and what it costs.</summary>
 public sealed class Trial
 {
-    private Trial(Scene scene, CatalogueRow row, double step, int parts)
+    private Trial(Scene scene, CatalogueRow row, double step)
     {
         Scene = scene;
         Row = row;
         Step = step;
-        Parts = parts;
     }
 
     /// <summary>The rule.</summary>
@@ -17,13 +16,13 @@ public sealed class Trial
     /// <summary>Length of its steps, s.</summary>
     public double Step { get; }
 
-    /// <summary>How many of them make a base step of the truth.</summary>
-    public int Parts { get; }
-
-    /// <summary>How many steps there are to the last sample.</summary>
+    /// <summary>How many steps there are: as many as it takes to reach the end of the scene, which the last may pass.</summary>
     public long Steps => Scene.Steps.Count;
 
-    /// <summary>Largest angle to the true orientation over all samples and bodies, rad; infinite if the run broke off.</summary>
+    /// <summary>
+    /// Largest angle to the true orientation over all bodies and steps, and between steps (<see cref="Halfway"/>), rad; at the samples
+    /// only where no more is known. Infinite if the run broke off.
+    /// </summary>
     public double AngleError { get; private set; }
 
     /// <summary>Largest distance from the true position, m.</summary>
@@ -38,6 +37,9 @@ public sealed class Trial
     /// <summary>The larger of the angle (rad) and the distance (m).</summary>
     public double Error => Math.Max(AngleError, PositionError);
 
+    /// <summary>True if the run was ended before its end, because an error was above what is allowed: the true one is larger.</summary>
+    public bool GaveUp { get; private set; }
+
     /// <summary>Time for one step of one body, ns; NaN until it is taken by <see cref="StepClock"/>.</summary>
     public double NanosecondsPerStep { get; internal set; } = double.NaN;
 
@@ -46,25 +48,25 @@ public sealed class Trial
 
     internal Scene Scene { get; }
 
-    /// <summary>The run that was compared, and where it stood at <see cref="StepClock.Places"/> times, evenly spread.</summary>
-    internal Simulation? Run { get; private set; }
-
-    internal List<SavedSimulation> Places { get; } = new List<SavedSimulation>();
-
-    /// <summary>Runs a scene once and compares it with the truth.</summary>
+    /// <summary>Runs a scene once, as <c>run</c> does, and compares it with the truth at the end of every step and between.</summary>
     /// <param name="scene">Taken as <see cref="StepFree"/> makes it.</param>
     /// <param name="truth">Its motion.</param>
     /// <param name="row">The rule.</param>
-    /// <param name="parts">How many steps the truth's base step is divided into.</param>
-    public static Trial Of(Scene scene, Truth truth, CatalogueRow row, int parts)
+    /// <param name="step">Length of its steps, s.</param>
+    /// <param name="most">An error above it ends the run.</param>
+    public static Trial Of(Scene scene, Truth truth, CatalogueRow row, double step, double most = double.PositiveInfinity)
     {
         Guard.NotNull(truth, nameof(truth));
-        double step = truth.BaseStep / (parts >= 1 ? parts : throw Guard.Refused(nameof(parts), parts, "must be at least 1"));
-        TimeSteps steps = TimeSteps.Every(step, truth.Samples[truth.Samples.Count - 1].At * parts);
-        Trial trial = new Trial(StepFree.By(StepFree.Of(scene), Guard.NotNull(row, nameof(row)).Name, steps), row, step, parts);
+        TimeSteps steps = TimeSteps.Until(truth.Duration, step);
+        Trial trial = new Trial(StepFree.By(StepFree.Of(scene), Guard.NotNull(row, nameof(row)).Name, steps), row, step);
         try
         {
-            trial.Compare(truth, parts);
+            Deviation[] found = [.. trial.Scene.Bodies.Select(body => new Deviation())];
+            trial.GaveUp = !trial.Compare(truth, found, most) || (truth.Samples.Count == 0 && !Halfway.Compare(trial.Scene, truth, found, most));
+            trial.AngleError = found.Max(body => body.Angle);
+            trial.PositionError = found.Max(body => body.Distance);
+            trial.EnergyDrift = found.Max(body => body.Energy);
+            trial.MomentumDrift = found.Max(body => body.Momentum);
         }
         catch (Exception)
         {
@@ -79,49 +81,20 @@ public sealed class Trial
         return trial;
     }
 
-    private void Compare(Truth truth, int parts)
+    private bool Compare(Truth truth, Deviation[] found, double most)
     {
-        // what a step does is on trial, so each is taken
-        Simulation simulation = Run = new Simulation(Scene, Omissions.All & ~Omissions.Coasting);
-        int count = simulation.Bodies.Count;
-        double[] energy = new double[count], momentum = new double[count], energyOff = new double[count], momentumOff = new double[count];
-        foreach (TruthSample sample in truth.Samples)
+        Simulation simulation = new Simulation(Scene);
+        foreach (long step in truth.Known(Scene.Steps))
         {
-            Go(simulation, sample.At * parts);
-            for (int i = 0; i < count; i++)
+            simulation.Step(step - simulation.StepsDone);
+            for (int i = 0; i < found.Length; i++)
             {
-                BodyState found = simulation.Bodies[i].State, right = sample.Bodies[i];
-                MassProperties mass = simulation.Bodies[i].Mass;
-                AngleError = Larger(AngleError, Conserved.AngleBetween(found.Orientation, right.Orientation));
-                PositionError = Larger(PositionError, (found.Position - right.Position).Length);
-                double e = Conserved.KineticEnergy(right, mass);
-                Vector3d l = Conserved.AngularMomentum(right, mass);
-                energy[i] = Larger(energy[i], e);
-                momentum[i] = Larger(momentum[i], l.Length);
-                energyOff[i] = Larger(energyOff[i], Math.Abs(Conserved.KineticEnergy(found, mass) - e));
-                momentumOff[i] = Larger(momentumOff[i], (Conserved.AngularMomentum(found, mass) - l).Length);
+                Body body = simulation.Bodies[i];
+                if (!found[i].Add(body.State, truth.At(i, simulation.Time), body.Mass, most))
+                    return false;
             }
         }
 
-        for (int i = 0; i < count; i++)
-        {
-            EnergyDrift = Larger(EnergyDrift, energyOff[i] / (energy[i] > 0 ? energy[i] : 1));
-            MomentumDrift = Larger(MomentumDrift, momentumOff[i] / (momentum[i] > 0 ? momentum[i] : 1));
-        }
+        return true;
     }
-
-    private void Go(Simulation simulation, long to)
-    {
-        while (simulation.StepsDone < to)
-        {
-            long place = Places.Count < StepClock.Places ? Steps / StepClock.Places * Places.Count : to;
-            if (simulation.StepsDone == place)
-                Places.Add(simulation.Save());
-            else
-                simulation.Step(Math.Min(place, to) - simulation.StepsDone);
-        }
-    }
-
-    /// <summary>Keeps a NaN, which Math.Max does not do on every runtime.</summary>
-    private static double Larger(double a, double b) => a >= b ? a : b + 0 * a;
 }

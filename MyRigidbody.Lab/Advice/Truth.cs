@@ -1,8 +1,16 @@
 namespace RigidBodyDynamics.Lab;
 
-/// <summary>How the bodies of a scene really move: their states at some times, and how exactly those can be had.</summary>
+/// <summary>How the bodies of a scene really move, and how exactly that can be had: at any time, or, where it is known from elsewhere, at some.</summary>
 public sealed class Truth
 {
+    /// <summary>A path is known for so much longer than the scene: a last step may end after it.</summary>
+    internal const double Beyond = 1.1;
+
+    // how little an answer must change to stand still: at all, and beside an error that is asked for
+    private const double Still = 1e-14, StillBesideError = 1e-3, MostSeconds = 1 << 16;
+
+    private readonly (MotionPath Path, double Uncertainty, double Floor)[] _bodies;
+
     /// <summary>A motion that is known from elsewhere.</summary>
     /// <param name="baseStep">All times are whole multiples of it, s.</param>
     /// <param name="uncertainty">The error of the states themselves, the larger of rad and m.</param>
@@ -12,6 +20,7 @@ public sealed class Truth
         BaseStep = Guard.Positive(baseStep, nameof(baseStep));
         Uncertainty = Guard.NotNegative(uncertainty, nameof(uncertainty));
         Samples = Guard.NotNull(samples, nameof(samples));
+        _bodies = [];
         if (samples.Count == 0)
             throw Guard.Refused(nameof(samples), 0, "must be at least one");
 
@@ -21,10 +30,26 @@ public sealed class Truth
             before = sample.At > before ? sample.At : throw Guard.Refused("at", sample.At, "must be later than the sample before");
             Floor = Math.Max(Floor, sample.Floor);
         }
+
+        Duration = before * baseStep;
     }
 
-    /// <summary>The longest step that leads to every sample, s.</summary>
+    private Truth(double duration, (MotionPath Path, double Uncertainty, double Floor)[] bodies)
+    {
+        Duration = duration;
+        double longest = duration >= 10 ? 1 : duration >= 1 ? 0.1 : 0.1 * duration;
+        BaseStep = duration / Math.Ceiling(duration / longest - 1e-6);
+        Samples = [];
+        _bodies = bodies;
+        Uncertainty = bodies.Max(body => body.Uncertainty);
+        Floor = bodies.Max(body => body.Floor);
+    }
+
+    /// <summary>The longest of the steps in which <c>cost</c> compares rules; it leads to every sample, s.</summary>
     public double BaseStep { get; }
+
+    /// <summary>The end of the scene, s.</summary>
+    public double Duration { get; }
 
     /// <summary>The error of the states themselves, the larger of rad and m.</summary>
     public double Uncertainty { get; }
@@ -32,17 +57,52 @@ public sealed class Truth
     /// <summary>The largest error that the last bit of the start makes, the larger of rad and m: no rule can be held to less.</summary>
     public double Floor { get; }
 
-    /// <summary>The states, in the order of time.</summary>
+    /// <summary>The only states that are known, in the order of time; none where they are known at any time.</summary>
     public IReadOnlyList<TruthSample> Samples { get; }
 
     /// <summary>
-    /// Computes the motion by the rule of highest order in the catalogue, in steps of half the length again and
-    /// again, until the answer stands still. Time is cut exactly where effects begin and end.
+    /// Computes the motion by the rule of highest order in the catalogue, in steps of half the length again and again, until the answer
+    /// stands still: at every state, and between them. Time is cut exactly where effects begin and end. If that is slow, by RungeKutta4.
     /// </summary>
     /// <param name="scene">Taken as <see cref="StepFree"/> makes it.</param>
     /// <param name="progress">Told the fraction that is done.</param>
+    /// <param name="error">What it is to judge, the larger of rad and m: a thousandth of it is exact enough. 0: as exact as can be.</param>
     /// <remarks>The uncertainty is the last change; the floor, what a start moved by its last bits changes.</remarks>
-    public static Truth Of(Scene scene, Action<double>? progress = null) => new Refinement(StepFree.Of(scene)).Run(progress ?? (done => { }));
+    public static Truth Of(Scene scene, Action<double>? progress = null, double error = 0)
+    {
+        Scene free = StepFree.Of(scene);
+        double duration = free.Steps.StartOf(free.Steps.Count);
+        if (!(duration <= MostSeconds))
+            throw Guard.Refused("duration", duration, "must be at most " + MostSeconds + " s to be refined");
+
+        (MotionPath, double, double)[] bodies = new (MotionPath, double, double)[free.Bodies.Count];
+        for (int i = 0; i < bodies.Length; i++)
+        {
+            int before = i;
+            bodies[i] = new Refinement(free.Bodies[i], Beyond * duration)
+                .Run(Math.Max(Still, StillBesideError * error), done => progress?.Invoke((before + done) / bodies.Length));
+        }
+
+        return new Truth(duration, bodies);
+    }
+
+    /// <summary>The state of a body, in the order of the scene, at a time up to <see cref="Duration"/> and a little beyond, s; the orientation is of length 1 but for its last bits.</summary>
+    public BodyState At(int body, double time)
+    {
+        if (_bodies.Length > 0)
+            return _bodies[body].Path.At(time);
+
+        long at = (long)Math.Round(time / BaseStep);
+        return Samples.First(sample => sample.At >= at).Bodies[body];
+    }
+
+    /// <summary>The same for one of the bodies.</summary>
+    internal Truth Alone(int body) => new Truth(Duration, [_bodies[body]]);
+
+    /// <summary>The ends of those steps at which the motion is known.</summary>
+    internal IEnumerable<long> Known(TimeSteps steps) => _bodies.Length > 0
+        ? Enumerable.Range(1, checked((int)steps.Count)).Select(step => (long)step)
+        : Samples.Select(sample => steps.FirstAt(sample.At * BaseStep));
 }
 
 /// <summary>The bodies of a scene at one time.</summary>

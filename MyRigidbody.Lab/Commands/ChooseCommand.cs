@@ -46,7 +46,7 @@ internal static class ChooseCommand
             double share = scene.Bodies.Count == 1 ? 1 : 0.5;
             advice = Overrides.Named(path, () => Advisor.Choose(scene, error, done => report(share * done)));
             // the lab's step beside the chosen one, in turns
-            lab = Trial.Of(scene, advice.Truth, Catalogue.Find("LabEuler"), advice.Best.Parts);
+            lab = Trial.Of(scene, advice.Truth, Catalogue.Find("LabEuler"), advice.Best.Step);
             StepClock.Take([lab, advice.Best], SecondsPerTurn, Turns);
             if (scene.Bodies.Count > 1)
             {

@@ -14,14 +14,14 @@ internal sealed record CostFindings(CostMotion Motion, IReadOnlyList<Trial> Tria
     /// <summary>Takes the errors of all rules first, then the times of all.</summary>
     public static CostFindings Of(CostMotion motion, Effort effort, Action<double> report)
     {
-        long last = motion.Truth.Samples[^1].At;
+        double last = motion.Truth.Duration / motion.Truth.BaseStep;
         int[] parts = [.. Advisor.Parts.Take(effort.StepSizes).Where(parts => last * parts <= MostSteps)];
         List<Trial> trials = [];
         foreach (CatalogueRow row in Catalogue.Rows)
         {
             foreach (int part in parts)
             {
-                trials.Add(Trial.Of(motion.Scene, motion.Truth, row, part));
+                trials.Add(Trial.Of(motion.Scene, motion.Truth, row, motion.Truth.BaseStep / part));
                 report(0.5 * trials.Count / (Catalogue.Rows.Count * parts.Length));
             }
         }

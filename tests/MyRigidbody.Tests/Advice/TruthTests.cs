@@ -14,15 +14,12 @@ public sealed class TruthTests
         BodyDescription body = Ball(new BodyState(new Vector3d(1, 2, 3), Quaterniond.Identity, new Vector3d(4, 5, 0), Vector3d.Zero)).With(new Gravity(Down));
         Truth truth = Truth.Of(SceneOf(3, body));
 
-        foreach (TruthSample sample in truth.Samples)
+        foreach (double t in Times(3))
         {
-            double t = sample.At * truth.BaseStep;
             Vector3d expected = body.Start.Position + t * body.Start.Velocity + 0.5 * t * t * Down;
-            Assert.That((sample.Bodies[0].Position - expected).Length, Is.LessThanOrEqualTo((2 * truth.Uncertainty) + 1e-15)); // measured 1.6e-14
+            Assert.That((truth.At(0, t).Position - expected).Length, Is.LessThanOrEqualTo((2 * truth.Uncertainty) + 1e-15)); // measured 1.6e-14
         }
 
-        Assert.That(truth.Samples.Count, Is.EqualTo(20));
-        Assert.That(truth.Samples[^1].At, Is.EqualTo(30));
         Assert.That(truth.Uncertainty, Is.LessThan(1e-13)); // measured 1.5e-14
     }
 
@@ -32,10 +29,10 @@ public sealed class TruthTests
         Vector3d spin = new(0.3, -0.4, 1.2);
         Truth truth = Truth.Of(SceneOf(2, Ball(new BodyState(Vector3d.Zero, Quaterniond.Identity, Vector3d.Zero, spin))));
 
-        foreach (TruthSample sample in truth.Samples)
+        foreach (double t in Times(2))
         {
-            Quaterniond expected = Quaterniond.FromAxisAngle(spin, 1.3 * sample.At * truth.BaseStep);
-            Assert.That(Conserved.AngleBetween(sample.Bodies[0].Orientation, expected), Is.LessThanOrEqualTo((2 * truth.Uncertainty) + 1e-15)); // measured 4.8e-16
+            Quaterniond expected = Quaterniond.FromAxisAngle(spin, 1.3 * t);
+            Assert.That(Conserved.AngleBetween(truth.At(0, t).Orientation, expected), Is.LessThanOrEqualTo((2 * truth.Uncertainty) + 1e-15)); // measured 4.8e-16
         }
 
         Assert.That(truth.Uncertainty, Is.LessThan(2e-15)); // measured 3.0e-16
@@ -48,21 +45,40 @@ public sealed class TruthTests
         BodyDescription body = Ball(BodyState.AtRest).With(new Force(new Vector3d(3, 0, 0)), 1.0 / 3, 2.0 / 3);
         Truth truth = Truth.Of(SceneOf(1, body));
 
-        Assert.That(truth.Samples[^1].Bodies[0].Velocity.X, Is.EqualTo(1).Within(2e-15)); // measured 4.4e-16
-        Assert.That(truth.Samples[^1].Bodies[0].Position.X, Is.EqualTo((1.0 / 6) + (1.0 / 3)).Within((2 * truth.Uncertainty) + 1e-15)); // measured 1.1e-16
+        Assert.That(truth.At(0, 1).Velocity.X, Is.EqualTo(1).Within(2e-15)); // measured 4.4e-16
+        Assert.That(truth.At(0, 1).Position.X, Is.EqualTo((1.0 / 6) + (1.0 / 3)).Within((2 * truth.Uncertainty) + 1e-15)); // measured 1.1e-16
     }
 
-    [TestCase(0.02)]
-    [TestCase(0.3)]
-    [TestCase(0.95)]
-    [TestCase(3)]
-    [TestCase(25.5)]
-    public void Every_scene_has_ten_samples_or_more_and_its_end_is_one(double duration)
+    // ω = 4π: at whole and half seconds the ball stands still, whatever its phase
+    [TestCase(0)]
+    [TestCase(1e-3)]
+    public void Swing_is_known_at_every_time_and_not_only_where_it_turns(double error)
     {
-        Truth truth = Truth.Of(SceneOf(duration, Ball(BodyState.AtRest)));
+        const double stiffness = 315.82734083485946;
+        BodyState start = new(new Vector3d(0.5, 0, 0), Quaterniond.Identity, Vector3d.Zero, Vector3d.Zero);
+        Truth truth = Truth.Of(SceneOf(20, Ball(start).With(new Spring(Vector3d.Zero, Vector3d.Zero, stiffness))), null, error);
+        double rate = Math.Sqrt(stiffness), swing = Times(20).Max(t => Math.Abs(truth.At(0, t).Velocity.X + (0.5 * rate * Math.Sin(rate * t))));
 
-        Assert.That(truth.Samples.Count, Is.GreaterThanOrEqualTo(10));
-        Assert.That(truth.Samples[^1].At * truth.BaseStep, Is.EqualTo(duration).Within(1e-14)); // measured 5.6e-17
+        Assert.That(Times(20).Max(t => Math.Abs(truth.At(0, t).Position.X - (0.5 * Math.Cos(rate * t)))), Is.LessThanOrEqualTo(truth.Uncertainty + truth.Floor));
+        Assert.That(swing, Is.LessThanOrEqualTo(20 * rate * (truth.Uncertainty + truth.Floor)));
+        Assert.That(truth.Uncertainty, Is.LessThan(Math.Max(1e-3 * error, 1e-12)));
+    }
+
+    [Test]
+    public void Body_whose_centre_of_mass_is_off_its_origin_is_known_between_its_states()
+    {
+        // it turns about its centre of mass, which stays where it is
+        Vector3d offset = new(0.3, 0, 0), spin = new(0, 0, 2);
+        BodyDescription body = new("off", Solids.Sphere(1, 0.5).WithCenterOfMass(offset)) { Start = new BodyState(-1 * offset, Quaterniond.Identity, Vector3d.Zero, spin) };
+        Truth truth = Truth.Of(SceneOf(3, body));
+
+        foreach (double t in Times(3))
+        {
+            Vector3d expected = -0.3 * new Vector3d(Math.Cos(2 * t), Math.Sin(2 * t), 0);
+            Assert.That((truth.At(0, t).Position - expected).Length, Is.LessThan(1e-13));
+            Assert.That((truth.At(0, t).AngularVelocity - spin).Length, Is.LessThan(1e-11));
+            Assert.That(truth.At(0, t).Velocity.Length, Is.LessThan(1e-11));
+        }
     }
 
     [Test]
@@ -96,6 +112,9 @@ public sealed class TruthTests
         Assert.That(() => new Truth(0.1, 0, [one, one]), Throws.InstanceOf<ArgumentOutOfRangeException>());
         Assert.That(() => new TruthSample(0, 0, [BodyState.AtRest]), Throws.InstanceOf<ArgumentOutOfRangeException>());
     }
+
+    /// <summary>Many times from 0 to a duration, in no common step with anything.</summary>
+    private static IEnumerable<double> Times(double duration) => Enumerable.Range(0, 1000).Select(i => duration * (i * 0.6180339887498949 % 1));
 
     private static BodyDescription Ball(BodyState start) => new("ball", Solids.Sphere(1, 0.5)) { Start = start };
 

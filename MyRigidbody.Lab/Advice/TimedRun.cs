@@ -1,0 +1,67 @@
+using System.Diagnostics;
+
+namespace RigidBodyDynamics.Lab;
+
+/// <summary>Runs a scene again and again from the same places, every step taken, and says what a step costs.</summary>
+internal sealed class TimedRun
+{
+    /// <summary>A run that is too long to be timed whole is timed in pieces from here on: effects may act for a part of it only.</summary>
+    internal const int MostPlaces = 16;
+
+    // so many steps take long beside a look at the clock
+    private const long Piece = 250;
+    private const int MostSimulations = 250;
+
+    // those of one are timed together
+    private readonly List<(Simulation Simulation, SavedSimulation Place)[]> _batches = [];
+    private readonly long _piece;
+
+    public TimedRun(Scene scene)
+    {
+        long count = scene.Steps.Count;
+        if (count <= MostPlaces * Piece)
+        {
+            _piece = count;
+            _batches.Add([.. Enumerable.Range(0, (int)Math.Clamp(Piece / count, 1, MostSimulations)).Select(_ => Of(scene)).Select(one => (one, one.Save()))]);
+            return;
+        }
+
+        _piece = Piece;
+        Simulation run = Of(scene);
+        for (int i = 0; i < MostPlaces; i++)
+        {
+            run.Step(count / MostPlaces * i - run.StepsDone);
+            _batches.Add([(run, run.Save())]);
+        }
+    }
+
+    /// <summary>From where on it is timed, in steps.</summary>
+    internal IEnumerable<long> Places => _batches.Select(batch => batch[0].Place.StepsDone);
+
+    /// <summary>For a step of a body, ns, within some seconds of the clock.</summary>
+    public double Nanoseconds(double seconds)
+    {
+        Stopwatch clock = new Stopwatch();
+        long done = 0;
+        while (clock.Elapsed.TotalSeconds < seconds)
+        {
+            // all of them or none, so that each counts the same
+            foreach ((Simulation Simulation, SavedSimulation Place)[] batch in _batches)
+            {
+                foreach ((Simulation simulation, SavedSimulation place) in batch)
+                    simulation.Restore(place);
+
+                clock.Start();
+                foreach ((Simulation simulation, _) in batch)
+                    simulation.Step(_piece);
+
+                clock.Stop();
+                done += _piece * batch.Length;
+            }
+        }
+
+        return 1e9 * clock.Elapsed.TotalSeconds / ((double)done * _batches[0][0].Simulation.Bodies.Count);
+    }
+
+    private static Simulation Of(Scene scene) => new Simulation(scene, Omissions.All & ~Omissions.Coasting);
+}
