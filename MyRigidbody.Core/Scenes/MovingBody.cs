@@ -134,17 +134,18 @@ namespace RigidBodyDynamics
             Stretch<TIntegrator>[] watched = StretchBuilder<TIntegrator>.Bind(Plan, isWatched: true);
             while (_now.Step < end && !(_now.IsDormant && WakesAt > end))
             {
-                Moment last = _now;
                 try
                 {
-                    // a dormant body goes as far as it coasts: no push acts there
-                    Run(watched, _now.IsDormant ? Math.Min(end, WakesAt) : _now.Step + 1);
+                    // a dormant body goes as far as it coasts, no push acts there; who looked may have brought it to the end of that
+                    long next = _now.Step + 1;
+                    Run(watched, _now.IsDormant ? Math.Max(WakesAt, next) : next);
                 }
                 catch (Exception found)
                 {
                     failure = found;
-                    _now = last;
-                    return _now.Step;
+                    long reached = _now.Step;
+                    GoBack();
+                    return reached;
                 }
             }
 

@@ -54,8 +54,7 @@ namespace RigidBodyDynamics
 
         /// <summary>A number of steps of all bodies; the same bits as that many single ones, and less overhead.</summary>
         /// <exception cref="BrokenEffectException">
-        /// An effect gave a force that is not finite. All bodies then stand before the step in which it did; so they do
-        /// after any other exception that comes out of an effect.
+        /// An effect gave a force that is not finite, or threw an exception. All bodies then stand before the step in which it did.
         /// </exception>
         public void Step(long count)
         {

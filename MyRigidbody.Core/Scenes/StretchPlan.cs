@@ -19,15 +19,10 @@ namespace RigidBodyDynamics
                     continue;
 
                 _effects.Add(effect);
-                if (effect is PushEffect push)
-                {
-                    _pushes.Add(push);
-                    Does |= push.Push.Traits;
-                }
-                else
-                {
-                    ((CoastEffect)effect).AddTo(ref _coasting);
-                }
+                if (effect is CoastEffect coast)
+                    coast.AddTo(ref _coasting);
+                else if (effect is PushEffect push && (push.Push.Traits & (PushTraits.Moves | PushTraits.Turns)) != 0)
+                    Add(push);
             }
         }
 
@@ -43,11 +38,17 @@ namespace RigidBodyDynamics
         /// <summary>Gravity and damping, all of them in one closed form.</summary>
         public Coasting Coasting => _coasting;
 
-        /// <summary>The others.</summary>
+        /// <summary>The others that move or turn the body.</summary>
         internal IReadOnlyList<PushEffect> Pushes => _pushes;
 
         /// <summary>What the pushes do and read, together.</summary>
-        internal PushTraits Does { get; }
+        internal PushTraits Does { get; private set; }
+
+        private void Add(PushEffect push)
+        {
+            _pushes.Add(push);
+            Does |= push.Push.Traits;
+        }
 
         /// <summary>Divides the time of a body where its effects begin and end.</summary>
         internal static IReadOnlyList<StretchPlan> Divide(BodyDescription body, TimeSteps steps)

@@ -3,7 +3,7 @@ using System.Globalization;
 
 namespace RigidBodyDynamics
 {
-    /// <summary>A push that is looked at: what it gives must be finite.</summary>
+    /// <summary>A push that is looked at: what it gives must be finite, and it must give something.</summary>
     internal sealed class Watched : IPush
     {
         private readonly PushEffect _effect;
@@ -20,14 +20,30 @@ namespace RigidBodyDynamics
         public void At(in Instant now, in BodyState body, MassProperties mass, ref Wrench wrench)
         {
             bool was = wrench.IsFinite;
-            _effect.Push.At(now, body, mass, ref wrench);
+            try
+            {
+                _effect.Push.At(now, body, mass, ref wrench);
+            }
+            catch (Exception thrown)
+            {
+                throw Broken(now, thrown);
+            }
+
             Look(now, body, was, wrench);
         }
 
         public void Over(in Instant now, double duration, in BodyState body, MassProperties mass, ref Wrench impulse)
         {
             bool was = impulse.IsFinite;
-            _effect.Push.Over(now, duration, body, mass, ref impulse);
+            try
+            {
+                _effect.Push.Over(now, duration, body, mass, ref impulse);
+            }
+            catch (Exception thrown)
+            {
+                throw Broken(now, thrown);
+            }
+
             Look(now, body, was, impulse);
         }
 
@@ -35,23 +51,21 @@ namespace RigidBodyDynamics
         private void Look(in Instant now, in BodyState body, bool was, in Wrench given)
         {
             if (was && body.IsFinite && !given.IsFinite)
-                throw new BrokenEffectException(_body.Name, _body.IndexOf(_effect), _effect.Push, now);
+                throw Broken(now, null);
         }
+
+        private BrokenEffectException Broken(in Instant now, Exception thrown) =>
+            new BrokenEffectException(_body.Name, _body.IndexOf(_effect), _effect.Push, now, thrown);
     }
 
     /// <summary>
-    /// An effect gave a force or torque that is not finite. The simulation stands before the step in which it happened.
+    /// An effect gave a force or torque that is not finite, or threw an exception (<see cref="Exception.InnerException"/>).
+    /// The simulation stands before the step in which it did.
     /// </summary>
     public sealed class BrokenEffectException : ArithmeticException
     {
-        internal BrokenEffectException(string body, int effect, IPush push, in Instant now) : base(string.Format(
-            CultureInfo.InvariantCulture,
-            "body \"{0}\": effects[{1}]: must push with a finite force and torque, and did not at t = {2:R} s, in step {3} ({4})",
-            body,
-            effect,
-            now.Time,
-            now.Step,
-            push).Replace('\r', ' ').Replace('\n', ' '))
+        internal BrokenEffectException(string body, int effect, IPush push, in Instant now, Exception thrown)
+            : base(Line(body, effect, push, now, thrown), thrown)
         {
             Body = body;
             Effect = push;
@@ -66,5 +80,15 @@ namespace RigidBodyDynamics
 
         /// <summary>When it was asked, s.</summary>
         public double Time { get; }
+
+        private static string Line(string body, int effect, IPush push, in Instant now, Exception thrown) => string.Format(
+            CultureInfo.InvariantCulture,
+            "body \"{0}\": effects[{1}]: must push with a finite force and torque, and {2} at t = {3:R} s, in step {4} ({5})",
+            body,
+            effect,
+            thrown == null ? "did not" : "threw " + thrown.GetType().Name + " (" + thrown.Message + ")",
+            now.Time,
+            now.Step,
+            push).Replace('\r', ' ').Replace('\n', ' ');
     }
 }

@@ -65,15 +65,16 @@ public sealed class BrokenEffectTests
     }
 
     [TestCaseSource(nameof(Cases))]
-    public void Exception_of_an_effect_comes_through_and_leaves_the_state_before_the_step(string integrator, int stepsAtOnce)
+    public void Exception_of_an_effect_is_placed_and_leaves_the_state_before_the_step(string integrator, int stepsAtOnce)
     {
         Simulation broken = Built(throws: true), sound = Built(throws: false);
-        NotSupportedException error = Assert.Throws<NotSupportedException>(() =>
+        BrokenEffectException error = Assert.Throws<BrokenEffectException>(() =>
         {
             while (broken.StepsDone < 90)
                 broken.Step(stepsAtOnce);
         })!;
-        Assert.That(error.Message, Is.EqualTo("no wind today"));
+        Assert.That(error.Message, Does.StartWith("body \"b\": effects[0]: ").And.Contains("threw NotSupportedException (no wind today) at t = 0.6").And.Contains("in step 30"));
+        Assert.That(error.InnerException, Is.InstanceOf<NotSupportedException>());
         sound.Step(broken.StepsDone);
         Assert.That(broken.StepsDone, Is.EqualTo(Fails));
         Assert.That(broken.Bodies.Select(body => body.State), Is.EqualTo(sound.Bodies.Select(body => body.State)));
