@@ -23,9 +23,8 @@ namespace RigidBodyDynamics
         private readonly Crowd _crowd;
         private readonly Coasters _coasters;
         private readonly Places _places = new Places();
-        private readonly Team _team;
+        private readonly Team<Stepper> _team;
         private readonly bool[] _coasts;
-        private Stepper[] _steppers = Array.Empty<Stepper>();
         private int _stretch, _capacity = 16;
         private Task _task;
         private long _stop;
@@ -43,7 +42,6 @@ namespace RigidBodyDynamics
             _like = _plan.Body;
             _crowd = Crowds.Choose(_plan);
             _coasters = new Coasters(_crowd, steps);
-            _team = new Team(Work);
             _coasts = new bool[_plan.Stretches.Count];
             Reserve(_capacity);
             _like.Start = BodyState.AtRest;
@@ -56,6 +54,7 @@ namespace RigidBodyDynamics
             }
 
             Reserve(_capacity);
+            _team = new Team<Stepper>(() => _crowd.NewStepper(_plan), Work);
             Threads = Environment.ProcessorCount;
             Begin();
         }
@@ -80,11 +79,6 @@ namespace RigidBodyDynamics
             {
                 if (value < 1 || value > MostThreads)
                     throw Guard.Refused(nameof(Threads), value, "must be from 1 to " + MostThreads);
-
-                int old = _steppers.Length;
-                Array.Resize(ref _steppers, Math.Max(old, value));
-                for (int i = old; i < value; i++)
-                    _steppers[i] = _crowd.NewStepper(_plan);
 
                 _team.Threads = value;
             }
@@ -200,7 +194,7 @@ namespace RigidBodyDynamics
                 return;
 
             int first = place - place % _crowd.Width;
-            _coasters.Follow(_steppers[0], first, first + _crowd.Width, StepsDone);
+            _coasters.Follow(_team.Own, first, first + _crowd.Width, StepsDone);
         }
 
         private void Do(Task task, long stop)
@@ -210,16 +204,16 @@ namespace RigidBodyDynamics
             _team.Do((Count + BodiesOfPart - 1) / BodiesOfPart);
         }
 
-        private void Work(int thread, int part)
+        private void Work(Stepper stepper, int part)
         {
             int from = part * BodiesOfPart, to = Math.Min(Count, from + BodiesOfPart);
             int whole = (to + _crowd.Width - 1) / _crowd.Width * _crowd.Width;
             if (_task == Task.Step)
-                _steppers[thread].Run(_stretch, from, whole, StepsDone, _stop);
+                stepper.Run(_stretch, from, whole, StepsDone, _stop);
             else if (_task == Task.Enter)
                 _coasters.Enter(from, to, _stop);
             else if (_coasts[_stretch])
-                _coasters.Follow(_steppers[thread], from, whole, _stop);
+                _coasters.Follow(stepper, from, whole, _stop);
 
             if (_task != Task.Read)
                 return;

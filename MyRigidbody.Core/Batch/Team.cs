@@ -9,9 +9,15 @@ namespace RigidBodyDynamics
     /// Does work that is divided into parts, on the calling thread and on others of the pool. Whoever is free takes the next
     /// part; the caller does all of them if nobody comes. Allocates nothing.
     /// </summary>
-    internal sealed class Team
+    /// <remarks>
+    /// Each brings a tool that is his alone, also one who was called, was then dismissed and comes late: no two ever share one.
+    /// </remarks>
+    /// <typeparam name="TTool">What one thread needs for the work.</typeparam>
+    internal sealed class Team<TTool>
     {
-        private readonly Action<int, int> _work;
+        private readonly Func<TTool> _newTool;
+        private readonly Action<TTool, int> _work;
+        private readonly TTool _own;
         private readonly ManualResetEventSlim _done = new ManualResetEventSlim();
         private Helper[] _helpers = Array.Empty<Helper>();
         private Exception _failure;
@@ -19,8 +25,14 @@ namespace RigidBodyDynamics
         private int _untaken, _unfinished;
 
         /// <summary>A team for one kind of work.</summary>
-        /// <param name="work">Gets the number of the thread, which no other has at the time, and the number of the part.</param>
-        public Team(Action<int, int> work) => _work = work;
+        /// <param name="newTool">Makes a tool.</param>
+        /// <param name="work">Gets a tool that no other thread has, and the number of the part.</param>
+        public Team(Func<TTool> newTool, Action<TTool, int> work)
+        {
+            _newTool = newTool;
+            _work = work;
+            _own = newTool();
+        }
 
         /// <summary>How many threads may work at a time, the calling one among them.</summary>
         public int Threads
@@ -28,13 +40,18 @@ namespace RigidBodyDynamics
             get => _helpers.Length + 1;
             set
             {
-                Helper[] helpers = new Helper[value - 1];
-                for (int i = 0; i < helpers.Length; i++)
-                    helpers[i] = i < _helpers.Length ? _helpers[i] : new Helper(this, i + 1);
+                int old = _helpers.Length;
+                for (int i = value - 1; i < old; i++)
+                    _helpers[i].Dismiss();
 
-                _helpers = helpers;
+                Array.Resize(ref _helpers, value - 1);
+                for (int i = old; i < _helpers.Length; i++)
+                    _helpers[i] = new Helper(this, _newTool());
             }
         }
+
+        /// <summary>The tool of the calling thread.</summary>
+        public TTool Own => _own;
 
         public void Do(int parts)
         {
@@ -48,19 +65,19 @@ namespace RigidBodyDynamics
             for (int i = 0; i < _helpers.Length && i < parts - 1; i++)
                 _helpers[i].Call();
 
-            TakeParts(0);
+            TakeParts(_own);
             _done.Wait();
             if (_failure != null)
                 ExceptionDispatchInfo.Capture(_failure).Throw();
         }
 
-        private void TakeParts(int thread)
+        private void TakeParts(TTool tool)
         {
             for (int part = Take(); part >= 0; part = Take())
             {
                 try
                 {
-                    _work(thread, part);
+                    _work(tool, part);
                 }
                 catch (Exception failure)
                 {
@@ -77,14 +94,15 @@ namespace RigidBodyDynamics
 
         private sealed class Helper : IThreadPoolWorkItem
         {
-            private readonly Team _team;
-            private readonly int _thread;
+            private readonly Team<TTool> _team;
+            private readonly TTool _tool;
             private int _isCalled;
+            private bool _isDismissed;
 
-            public Helper(Team team, int thread)
+            public Helper(Team<TTool> team, TTool tool)
             {
                 _team = team;
-                _thread = thread;
+                _tool = tool;
             }
 
             /// <summary>Asks for help, unless the helper is on its way.</summary>
@@ -94,11 +112,17 @@ namespace RigidBodyDynamics
                     ThreadPool.UnsafeQueueUserWorkItem(this, preferLocal: false);
             }
 
+            /// <summary>No help is wanted any more, not even that which was called for.</summary>
+            public void Dismiss() => Volatile.Write(ref _isDismissed, true);
+
             public void Execute()
             {
+                if (Volatile.Read(ref _isDismissed))
+                    return;
+
                 do
                 {
-                    _team.TakeParts(_thread);
+                    _team.TakeParts(_tool);
                     Volatile.Write(ref _isCalled, 0);
                     // called once more just before that
                 }
