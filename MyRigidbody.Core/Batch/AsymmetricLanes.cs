@@ -244,9 +244,9 @@ namespace RigidBodyDynamics
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
         private static void Change(ref VectorLanes w, ref VectorLanes lost, Lanes d1, Lanes d2, Lanes d3)
         {
-            SmallTurn.Add(ref w.X, ref lost.X, d1);
-            SmallTurn.Add(ref w.Y, ref lost.Y, d2);
-            SmallTurn.Add(ref w.Z, ref lost.Z, d3);
+            RunningSum.Add(ref w.X, ref lost.X, d1);
+            RunningSum.Add(ref w.Y, ref lost.Y, d2);
+            RunningSum.Add(ref w.Z, ref lost.Z, d3);
         }
 
         /// <summary>Where asked for, takes the damping into the angular velocity itself.</summary>

@@ -13,7 +13,7 @@ namespace RigidBodyDynamics
         where TTop : struct, ITopLanes
         where TScheme : struct, IScheme
     {
-        private const int X = CompositionLanes.X, V = CompositionLanes.V;
+        private const int X = CompositionLanes.X, V = CompositionLanes.V, XLost = CompositionLanes.XLost, VLost = CompositionLanes.VLost;
 
         private TTop _top;
         private MassProperties _mass;
@@ -124,18 +124,20 @@ namespace RigidBodyDynamics
         {
             if (drift.IsFree)
             {
-                VectorLanes free = new VectorLanes(bodies, X) + length * new VectorLanes(bodies, V);
-                free.Write(bodies, X);
+                Add(bodies, X, XLost, length * new VectorLanes(bodies, V));
                 _top.Advance(bodies, length);
                 return;
             }
 
             if (_canMove)
             {
-                VectorLanes x = new VectorLanes(bodies, X), v = new VectorLanes(bodies, V);
-                drift.Move(ref x, ref v);
+                VectorLanes x = new VectorLanes(bodies, X), xLost = new VectorLanes(bodies, XLost);
+                VectorLanes v = new VectorLanes(bodies, V), vLost = new VectorLanes(bodies, VLost);
+                drift.Move(ref x, ref xLost, ref v, ref vLost);
                 x.Write(bodies, X);
+                xLost.Write(bodies, XLost);
                 v.Write(bodies, V);
+                vLost.Write(bodies, VLost);
             }
 
             _top.Advance(bodies, drift.TurningTime);
@@ -146,7 +148,7 @@ namespace RigidBodyDynamics
         private void Kick(in Group bodies, in Impulse impulse)
         {
             if ((impulse.Does & PushTraits.Moves) != 0)
-                (new VectorLanes(bodies, V) + new VectorLanes(impulse.Velocity)).Write(bodies, V);
+                Add(bodies, V, VLost, new VectorLanes(impulse.Velocity));
 
             if ((impulse.Does & PushTraits.Turns) != 0)
                 _top.Kick(bodies, impulse);
@@ -156,14 +158,24 @@ namespace RigidBodyDynamics
         private void Decelerate(in Group bodies)
         {
             Decay.By(_coasting.LinearFactorPerStep, new VectorLanes(bodies, V)).Write(bodies, V);
+            Decay.By(_coasting.LinearFactorPerStep, new VectorLanes(bodies, VLost)).Write(bodies, VLost);
             _top.Damp(bodies, _perStep);
+        }
+
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        private static void Add(in Group bodies, int sum, int lost, VectorLanes add)
+        {
+            VectorLanes all = new VectorLanes(bodies, sum), away = new VectorLanes(bodies, lost);
+            RunningSum.Add(ref all, ref away, add);
+            all.Write(bodies, sum);
+            away.Write(bodies, lost);
         }
     }
 
     /// <summary>The columns that every body of such a crowd has, whatever its top; those of the top follow.</summary>
     internal static class CompositionLanes
     {
-        public const int X = 0, V = 3, Columns = 6;
+        public const int X = 0, V = 3, XLost = 6, VLost = 9, Columns = 12;
     }
 
     internal partial struct Composition<TTop, TScheme> : IRuleInLanes
@@ -183,6 +195,11 @@ namespace RigidBodyDynamics
                 row.Carry(CompositionLanes.X, ref body._x);
                 row.Carry(CompositionLanes.V, ref body._v);
                 body._top.Carry(row, isAll);
+                if (!isAll)
+                    return;
+
+                row.Carry(CompositionLanes.XLost, ref body._xLost);
+                row.Carry(CompositionLanes.VLost, ref body._vLost);
             }
         }
     }

@@ -21,6 +21,23 @@ namespace RigidBodyDynamics
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
         public VectorLanes Of(VectorLanes v) => new VectorLanes(Of(v.X), Of(v.Y), Of(v.Z));
 
+        /// <summary>Takes off a running sum of each body what it loses.</summary>
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        public void Take(ref VectorLanes v, ref VectorLanes lost)
+        {
+            if (IsNone)
+                return;
+
+            lost = _left * lost;
+            if (Math.Abs(_lost) < 0.5)
+                RunningSum.Add(ref v, ref lost, -_lost * v);
+            else
+                v = _left * v;
+
+            v = new VectorLanes(Rest(v.X), Rest(v.Y), Rest(v.Z));
+            lost = new VectorLanes(Rest(lost.X), Rest(lost.Y), Rest(lost.Z));
+        }
+
         /// <summary>What is left of a vector of each body by a factor alone.</summary>
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
         public static VectorLanes By(double factor, VectorLanes v)
@@ -37,10 +54,32 @@ namespace RigidBodyDynamics
     {
         /// <summary>Moves the centres of mass of several bodies.</summary>
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
-        public void Move(ref VectorLanes x, ref VectorLanes v)
+        public void Move(ref VectorLanes x, ref VectorLanes xLost, ref VectorLanes v, ref VectorLanes vLost)
         {
-            x += _s * v + new VectorLanes(_fall);
-            v = _decay.Of(v) + new VectorLanes(_gain);
+            RunningSum.Add(ref x, ref xLost, _s * v + new VectorLanes(_fall));
+            _decay.Take(ref v, ref vLost);
+            RunningSum.Add(ref v, ref vLost, new VectorLanes(_gain));
+        }
+    }
+
+    internal static partial class RunningSum
+    {
+        /// <summary>Adds to a number of each body.</summary>
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        public static void Add(ref Lanes sum, ref Lanes lost, Lanes add)
+        {
+            Lanes all = add + lost, next = sum + all;
+            lost = all - (next - sum);
+            sum = next;
+        }
+
+        /// <summary>Adds to a vector of each body.</summary>
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        public static void Add(ref VectorLanes sum, ref VectorLanes lost, VectorLanes add)
+        {
+            Add(ref sum.X, ref lost.X, add.X);
+            Add(ref sum.Y, ref lost.Y, add.Y);
+            Add(ref sum.Z, ref lost.Z, add.Z);
         }
     }
 
@@ -61,19 +100,10 @@ namespace RigidBodyDynamics
         public static void Add(ref QuaternionLanes q, ref QuaternionLanes lost, QuaternionLanes d)
         {
             Lanes stretch = new Lanes(0.5) * (Lanes.One - q.LengthSquared);
-            Add(ref q.W, ref lost.W, d.W + stretch * (q.W + d.W));
-            Add(ref q.X, ref lost.X, d.X + stretch * (q.X + d.X));
-            Add(ref q.Y, ref lost.Y, d.Y + stretch * (q.Y + d.Y));
-            Add(ref q.Z, ref lost.Z, d.Z + stretch * (q.Z + d.Z));
-        }
-
-        /// <summary>A sum that keeps what it rounds away.</summary>
-        [MethodImpl(MethodImplOptions.AggressiveInlining)]
-        public static void Add(ref Lanes sum, ref Lanes lost, Lanes add)
-        {
-            Lanes all = add + lost, next = sum + all;
-            lost = all - (next - sum);
-            sum = next;
+            RunningSum.Add(ref q.W, ref lost.W, d.W + stretch * (q.W + d.W));
+            RunningSum.Add(ref q.X, ref lost.X, d.X + stretch * (q.X + d.X));
+            RunningSum.Add(ref q.Y, ref lost.Y, d.Y + stretch * (q.Y + d.Y));
+            RunningSum.Add(ref q.Z, ref lost.Z, d.Z + stretch * (q.Z + d.Z));
         }
     }
 }

@@ -200,9 +200,9 @@ namespace RigidBodyDynamics
 
         private void Change(double d1, double d2, double d3)
         {
-            SmallTurn.Add(ref _w.X, ref _wLost.X, d1);
-            SmallTurn.Add(ref _w.Y, ref _wLost.Y, d2);
-            SmallTurn.Add(ref _w.Z, ref _wLost.Z, d3);
+            RunningSum.Add(ref _w.X, ref _wLost.X, d1);
+            RunningSum.Add(ref _w.Y, ref _wLost.Y, d2);
+            RunningSum.Add(ref _w.Z, ref _wLost.Z, d3);
         }
 
         private void Invariants(out double energy, out double separation)

@@ -27,19 +27,10 @@ namespace RigidBodyDynamics
         {
             double stretch = 0.5 * (1 - q.LengthSquared);
             double w = q.W, x = q.X, y = q.Y, z = q.Z;
-            Add(ref q.W, ref lost.W, d.W + stretch * (w + d.W));
-            Add(ref q.X, ref lost.X, d.X + stretch * (x + d.X));
-            Add(ref q.Y, ref lost.Y, d.Y + stretch * (y + d.Y));
-            Add(ref q.Z, ref lost.Z, d.Z + stretch * (z + d.Z));
-        }
-
-        /// <summary>A sum that keeps what it rounds away.</summary>
-        [MethodImpl(MethodImplOptions.AggressiveInlining)]
-        public static void Add(ref double sum, ref double lost, double add)
-        {
-            double all = add + lost, next = sum + all;
-            lost = all - (next - sum);
-            sum = next;
+            RunningSum.Add(ref q.W, ref lost.W, d.W + stretch * (w + d.W));
+            RunningSum.Add(ref q.X, ref lost.X, d.X + stretch * (x + d.X));
+            RunningSum.Add(ref q.Y, ref lost.Y, d.Y + stretch * (y + d.Y));
+            RunningSum.Add(ref q.Z, ref lost.Z, d.Z + stretch * (z + d.Z));
         }
     }
 }

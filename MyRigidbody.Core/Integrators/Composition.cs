@@ -10,7 +10,7 @@ namespace RigidBodyDynamics
         where TScheme : struct, IScheme
     {
         private TTop _top;
-        private Vector3d _x, _v;
+        private Vector3d _x, _xLost, _v, _vLost;
         private MassProperties _mass;
         private bool _canMove, _isOffCenter;
         private double _dt;
@@ -35,6 +35,7 @@ namespace RigidBodyDynamics
             _isOffCenter = !_mass.CenterOfMass.IsZero;
             _x = _isOffCenter ? body.Start.Position + q.Rotate(_mass.CenterOfMass) : body.Start.Position;
             _v = body.Start.Velocity;
+            _xLost = _vLost = Vector3d.Zero;
             _top = default(TTop);
             _top.Start(_mass, q, body.Start.AngularVelocity);
         }
@@ -58,6 +59,7 @@ namespace RigidBodyDynamics
             if (_decaysPerStep)
             {
                 _v = Decay.By(_coasting.LinearFactorPerStep, _v);
+                _vLost = Decay.By(_coasting.LinearFactorPerStep, _vLost);
                 _top.Damp(_perStep);
             }
         }
@@ -82,14 +84,14 @@ namespace RigidBodyDynamics
         {
             if (_whole.IsFree)
             {
-                _x += length * _v;
+                RunningSum.Add(ref _x, ref _xLost, length * _v);
                 _top.Advance(length);
                 return;
             }
 
             Drift drift = length == _dt ? _whole : new Drift(_coasting, length);
             if (_canMove)
-                drift.Move(ref _x, ref _v);
+                drift.Move(ref _x, ref _xLost, ref _v, ref _vLost);
 
             _top.Advance(drift.TurningTime);
             _top.Damp(drift.AngularDecay);
@@ -127,7 +129,7 @@ namespace RigidBodyDynamics
             Wrench impulse = default(Wrench);
             push.Over(now, duration, body, _mass, ref impulse);
             if (_canMove && (traits & PushTraits.Moves) != 0)
-                _v += _mass.InverseMass * impulse.Force;
+                RunningSum.Add(ref _v, ref _vLost, _mass.InverseMass * impulse.Force);
 
             if ((traits & PushTraits.Turns) != 0)
                 _top.Kick(impulse.Torque, impulse.BodyTorque);

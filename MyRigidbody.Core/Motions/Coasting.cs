@@ -50,7 +50,8 @@ namespace RigidBodyDynamics
         public void Advance(double duration, ref BodyState body)
         {
             Drift drift = new Drift(this, duration);
-            drift.Move(ref body.Position, ref body.Velocity);
+            Vector3d xLost = Vector3d.Zero, vLost = Vector3d.Zero;
+            drift.Move(ref body.Position, ref xLost, ref body.Velocity, ref vLost);
             body.AngularVelocity = drift.AngularDecay.Of(body.AngularVelocity);
         }
 

@@ -41,6 +41,23 @@ namespace RigidBodyDynamics
             return IsNone ? left : Rest(left);
         }
 
+        /// <summary>Takes off a running sum what it loses.</summary>
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        public void Take(ref Vector3d v, ref Vector3d lost)
+        {
+            if (IsNone)
+                return;
+
+            lost = _left * lost;
+            if (Math.Abs(_lost) < 0.5)
+                RunningSum.Add(ref v, ref lost, -_lost * v);
+            else
+                v = _left * v;
+
+            v = Rest(v);
+            lost = Rest(lost);
+        }
+
         /// <summary>What is left of a vector by a factor alone.</summary>
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
         public static Vector3d By(double factor, Vector3d v) => factor == 1 ? factor * v : Rest(factor * v);

@@ -32,11 +32,12 @@ namespace RigidBodyDynamics
             IsFree = coasting.Acceleration.IsZero && coasting.LinearDampingRate == 0 && coasting.AngularDampingRate == 0;
         }
 
-        /// <summary>Moves a centre of mass.</summary>
-        public void Move(ref Vector3d x, ref Vector3d v)
+        /// <summary>Moves a centre of mass; what the sums round away is kept.</summary>
+        public void Move(ref Vector3d x, ref Vector3d xLost, ref Vector3d v, ref Vector3d vLost)
         {
-            x += _s * v + _fall;
-            v = _decay.Of(v) + _gain;
+            RunningSum.Add(ref x, ref xLost, _s * v + _fall);
+            _decay.Take(ref v, ref vLost);
+            RunningSum.Add(ref v, ref vLost, _gain);
         }
 
         // with φ₁ and φ₂ nothing cancels for small c h, and 1 − e^(−ch) is c s
