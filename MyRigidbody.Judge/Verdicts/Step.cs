@@ -1,0 +1,43 @@
+namespace RigidBodyDynamics.Judging
+{
+    /// <summary>What a finding is about: one of the sheet's five steps, the code that was given, or what surrounds them.</summary>
+    public enum Step
+    {
+        Given,
+        Velocity,
+        AngularVelocity,
+        Position,
+        Orientation,
+        Damping,
+        Code,
+        Package,
+        Name,
+    }
+
+    /// <summary>What is said of one step.</summary>
+    public enum Mark
+    {
+        Right,
+        Wrong,
+
+        /// <summary>Not the sheet's formula and not a mistake either: an instructor decides.</summary>
+        Doubtful,
+
+        /// <summary>Not done.</summary>
+        Missing,
+
+        /// <summary>It could not be seen.</summary>
+        Unknown,
+    }
+
+    /// <summary>What is said of a script as a whole.</summary>
+    public enum Outcome
+    {
+        Right,
+        Wrong,
+        Doubtful,
+
+        /// <summary>It was not run to its end: it does not compile, is not allowed, does not end, or throws.</summary>
+        Refused,
+    }
+}
