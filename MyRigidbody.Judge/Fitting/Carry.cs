@@ -1,0 +1,88 @@
+using System;
+using System.Collections.Generic;
+
+namespace RigidBodyDynamics.Judging
+{
+    /// <summary>Step 3 or 4 through all frames, with the reading that fits the most of them.</summary>
+    internal sealed class Carry
+    {
+        private readonly Reading _reading;
+        private readonly string _form;
+
+        private Carry(Reading reading, string form, IReadOnlyList<int> missed, int seen)
+        {
+            _reading = reading;
+            _form = form;
+            Missed = missed;
+            Seen = seen;
+        }
+
+        /// <summary>The links that no reading explains.</summary>
+        public IReadOnlyList<int> Missed { get; }
+
+        /// <summary>How many frames were fast enough to see anything.</summary>
+        public int Seen { get; }
+
+        public bool IsRight => Missed.Count == 0;
+
+        /// <summary>The body is carried by a velocity that has been damped already.</summary>
+        public bool IsDampedBefore => _reading.Code == Reading.DampedBefore;
+
+        /// <summary>What an instructor decides: a form or a reading that is neither the sheet's nor a mistake; null for none.</summary>
+        public string Code => !IsRight ? null : _form ?? (IsDampedBefore ? null : _reading.Code);
+
+        /// <summary>Step 3: x ← x + Δt v.</summary>
+        public static Carry OfPosition(Chain chain) => Best(chain, null, o => o.Moved, (o, d) =>
+            4e-7 * (o.Before.Position.Length + o.After.Position.Length) + 1e-5 * d.Length + 1e-7);
+
+        /// <summary>Step 4: by the formula; else by the exact turn, or by Euler angles of a small turn, if one of them is right.</summary>
+        public static Carry OfOrientation(Chain chain)
+        {
+            Carry formula = Best(chain, null, o => Turns.FirstOrder(o.Turn), Tolerance);
+            if (formula.IsRight)
+                return formula;
+            Carry exact = Best(chain, "exact-turn", o => Turns.Exact(o.Turn), Tolerance);
+            if (exact.IsRight)
+                return exact;
+            Carry euler = Best(chain, "euler-turn", o => Turns.Euler(o.Turn), Tolerance);
+            return euler.IsRight ? euler : formula;
+        }
+
+        private static double Tolerance(Observation o, Vector turn) => Turns.Tolerance(turn);
+
+        private static Carry Best(Chain chain, string form, Func<Observation, Vector> carried, Func<Observation, Vector, double> tolerance)
+        {
+            Carry best = null;
+            foreach (Reading reading in Reading.Of(chain))
+            {
+                Carry carry = With(reading, form, chain, carried, tolerance);
+                if (best == null || carry.Missed.Count < best.Missed.Count)
+                    best = carry;
+                if (best.IsRight)
+                    break;
+            }
+
+            return best;
+        }
+
+        private static Carry With(Reading reading, string form, Chain chain, Func<Observation, Vector> carried, Func<Observation, Vector, double> tolerance)
+        {
+            List<int> missed = new List<int>();
+            int seen = 0;
+            for (int i = 0; i < chain.Links.Count; i++)
+            {
+                Observation o = chain.Links[i].At;
+                Vector expected = chain.Step.At(o) * reading.Velocity(chain, i);
+                if (!expected.IsFinite || !o.Before.Position.IsFinite || !o.Before.Orientation.IsFinite)
+                    continue;
+                seen += expected.Length > 1e-3 ? 1 : 0;
+                // of a velocity that nearly stops, the factor of step 5 is not seen
+                double unseen = 0.03 * Math.Min(expected.Length, 2e-3 * chain.Step.At(o));
+                if (!((carried(o) - expected).Length <= tolerance(o, expected) + unseen))
+                    missed.Add(i);
+            }
+
+            return new Carry(reading, form, missed, seen);
+        }
+    }
+}

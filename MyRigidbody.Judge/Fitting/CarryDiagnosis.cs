@@ -1,0 +1,93 @@
+using System;
+using System.Collections.Generic;
+
+namespace RigidBodyDynamics.Judging
+{
+    /// <summary>One way in which a frame can have been carried on: a vector that is some coefficient times the velocity.</summary>
+    internal sealed class CarryShape
+    {
+        public CarryShape(string code, string formula, Func<Observation, Vector> carried)
+        {
+            Code = code;
+            Formula = formula;
+            Carried = carried;
+        }
+
+        /// <summary>Null: the sheet's.</summary>
+        public string Code { get; }
+
+        public string Formula { get; }
+
+        public Func<Observation, Vector> Carried { get; }
+    }
+
+    /// <summary>The shape and the velocity that fit the most frames, and the coefficient in each.</summary>
+    internal sealed class CarryDiagnosis
+    {
+        public CarryDiagnosis(Chain chain, IEnumerable<CarryShape> shapes, Func<Observation, Vector, double> tolerance)
+        {
+            Share = -1;
+            Gains = new Samples();
+            foreach (CarryShape shape in shapes)
+            {
+                foreach (Reading reading in new[] { Reading.New, Reading.Old })
+                    Try(chain, shape, reading, tolerance);
+            }
+        }
+
+        public CarryShape Shape { get; private set; }
+
+        public Samples Gains { get; private set; }
+
+        /// <summary>The share of frames that the shape explains with a coefficient of its own in each.</summary>
+        public double Share { get; private set; }
+
+        /// <summary>What stands in the place of Δt, as the end of a code; null where it is Δt.</summary>
+        public string Factor(TimeStep step)
+        {
+            Func<Observation, double> h = step.At;
+            const double Degrees = 180 / Math.PI;
+            KeyValuePair<string, Func<Observation, double>>[] laws =
+            {
+                Law(null, h), Law("sign", o => -h(o)), Law("no-dt", _ => 1), Law("time-for-dt", o => o.Time), Law("time-for-dt", o => o.Time - o.Delta),
+                Law("twice", o => 2 * h(o)), Law("half", o => h(o) / 2), Law("degrees", o => h(o) / Degrees), Law("degrees-no-dt", _ => 1 / Degrees),
+                Law("to-degrees", o => h(o) * Degrees), Law("no-dt", _ => 2), Law("no-dt", _ => 0.5), Law("dt-twice", o => h(o) * h(o)), Law("dt-twice", o => h(o) * h(o) / 2),
+                Law("two-time-steps", TimeStep.OfFrame.At), Law("two-time-steps", TimeStep.Usual.At),
+            };
+            foreach (KeyValuePair<string, Func<Observation, double>> law in laws)
+            {
+                if (Gains.Follow(law.Value))
+                    return law.Key;
+            }
+
+            return "factor";
+        }
+
+        private static KeyValuePair<string, Func<Observation, double>> Law(string code, Func<Observation, double> law) =>
+            new KeyValuePair<string, Func<Observation, double>>(code, law);
+
+        private void Try(Chain chain, CarryShape shape, Reading reading, Func<Observation, Vector, double> tolerance)
+        {
+            Samples gains = new Samples();
+            int seen = 0;
+            for (int i = 0; i < chain.Links.Count; i++)
+            {
+                Observation o = chain.Links[i].At;
+                Vector velocity = reading.Velocity(chain, i), carried = shape.Carried(o);
+                if (!velocity.IsFinite || !carried.IsFinite || velocity.Length < 0.3 || velocity.Length > 1e4)
+                    continue;
+                seen++;
+                Coefficients one = Coefficients.Of(carried, velocity);
+                if (one.Residual <= tolerance(o, carried))
+                    gains.Add(o, one.First);
+            }
+
+            double share = seen < 10 ? 0 : gains.Count / (double)seen;
+            if (share <= Share + 1e-3)
+                return;
+            Share = share;
+            Shape = shape;
+            Gains = gains;
+        }
+    }
+}

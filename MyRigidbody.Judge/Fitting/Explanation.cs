@@ -1,0 +1,78 @@
+using System;
+using System.Collections.Generic;
+using System.Linq;
+
+namespace RigidBodyDynamics.Judging
+{
+    /// <summary>All frames, read with one Δt: which steps are then off. The explanation with the fewest is the one that is told.</summary>
+    internal sealed class Explanation
+    {
+        private readonly Travel _moving;
+        private readonly Travel _turning;
+
+        public Explanation(Motion motion, TimeStep step)
+        {
+            Step = step;
+            _moving = Travel.Best(motion.Velocity, step, Carry.OfPosition);
+            _turning = Travel.Best(motion.AngularVelocity, step, Carry.OfOrientation);
+        }
+
+        public TimeStep Step { get; }
+
+        public Chain Velocity => _moving.Chain;
+
+        public Chain AngularVelocity => _turning.Chain;
+
+        public Carry Position => _moving.Carry;
+
+        public Carry Orientation => _turning.Carry;
+
+        public bool IsDampedRightly => _moving.IsDampedRightly && _turning.IsDampedRightly;
+
+        /// <summary>Steps that are off, then steps that are read in another way than the sheet's.</summary>
+        public double Cost => Count(!Velocity.GainIsRight, !AngularVelocity.GainIsRight, !Position.IsRight, !Orientation.IsRight, !IsDampedRightly)
+            + 0.3 * Count(Position.Code != null, Orientation.Code != null);
+
+        private static int Count(params bool[] conditions) => conditions.Count(c => c);
+    }
+
+    /// <summary>One of the two velocities, and what it carries on: steps 1 and 3, or 2 and 4.</summary>
+    internal sealed class Travel
+    {
+        private const int Step = 100000;
+
+        private Travel(Chain chain, Carry carry)
+        {
+            Chain = chain;
+            Carry = carry;
+        }
+
+        public Chain Chain { get; }
+
+        public Carry Carry { get; }
+
+        public bool IsDampedRightly => Chain.DecayIsRight && !(Carry.IsRight && Carry.IsDampedBefore);
+
+        private int Cost => Chain.Cost + (Carry.IsRight ? 0 : Step + Carry.Missed.Count) + (Chain.DecayIsRight && !IsDampedRightly ? Step : 0) + (Carry.Code != null ? Step / 3 : 0);
+
+        /// <summary>The source of the gain that fits the most frames, and of the two orders of gain and decay the one that leaves less off.</summary>
+        public static Travel Best(IEnumerable<Lazy<Link[]>> readings, TimeStep step, Func<Chain, Carry> carry)
+        {
+            Chain[] best = null;
+            foreach (Lazy<Link[]> links in readings)
+            {
+                Chain[] orders = { new Chain(links.Value, step, false), new Chain(links.Value, step, true) };
+                if (best == null || orders.Min(c => c.Cost) < best.Min(c => c.Cost))
+                    best = orders;
+                if (best.Any(c => c.GainIsRight))
+                    break;
+            }
+
+            Travel after = new Travel(best[0], carry(best[0]));
+            if (after.Cost == 0)
+                return after;
+            Travel first = new Travel(best[1], carry(best[1]));
+            return first.Cost < after.Cost ? first : after;
+        }
+    }
+}

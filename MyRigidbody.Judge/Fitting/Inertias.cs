@@ -1,0 +1,42 @@
+using System;
+using System.Collections.Generic;
+
+namespace RigidBodyDynamics.Judging
+{
+    /// <summary>What a script may rightly take for I_ref, and for R.</summary>
+    internal static class Inertias
+    {
+        public static readonly IReadOnlyList<Func<Observation, Matrix>> References = new Func<Observation, Matrix>[] { Kept, OfMesh, AtStart, OfCube };
+
+        /// <summary>R of the orientation before the frame, of the script's own quaternion of whatever length, and after the frame.</summary>
+        public static readonly IReadOnlyList<Func<Observation, Matrix>> Rotations = new Func<Observation, Matrix>[]
+        {
+            o => Matrix.Rotation(o.Before.Orientation.Normalized),
+            o => Matrix.Rotation(o.Before.OwnOrientation ?? o.Before.Orientation),
+            o => Matrix.Rotation(o.After.Orientation.Normalized),
+        };
+
+        /// <summary>The script's own variable.</summary>
+        public static Matrix Kept(Observation o)
+        {
+            Matrix? kept = o.Before.Inertia;
+            if (!kept.HasValue || kept.Value.Size == 0)
+                kept = o.After.Inertia;
+            return kept.HasValue && kept.Value.IsFinite ? Upright(kept.Value, OfMesh(o)) : OfMesh(o);
+        }
+
+        private static Matrix AtStart(Observation o) => o.Run.InertiaAtStart ?? OfMesh(o);
+
+        private static Matrix OfMesh(Observation o) => o.Mass * Matrix.InertiaOf(o.Run.Setting.Vertices);
+
+        private static Matrix OfCube(Observation o) => (o.Mass / 2) * Matrix.Identity;
+
+        /// <summary>The matrix, or its inverse where it is the inverse that the mesh has.</summary>
+        private static Matrix Upright(Matrix kept, Matrix mesh)
+        {
+            Matrix inverse = kept.Inverse;
+            bool isInverse = (kept - mesh.Inverse).Size < 1e-3 * mesh.Inverse.Size && (kept - mesh).Size > 1e-3 * mesh.Size;
+            return isInverse ? inverse : kept;
+        }
+    }
+}

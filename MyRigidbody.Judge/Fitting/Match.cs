@@ -1,0 +1,133 @@
+using System;
+
+namespace RigidBodyDynamics.Judging
+{
+    /// <summary>What a frame says against v′ = 0.98 (v + Δt g), where g is F/m, or I⁻¹τ for the angular velocity.</summary>
+    internal enum Miss
+    {
+        None,
+
+        /// <summary>What is added is not Δt g.</summary>
+        Gain,
+
+        /// <summary>The factor is not 0.98.</summary>
+        Decay,
+
+        /// <summary>One of the two: v and g have one direction.</summary>
+        Either,
+
+        Both,
+
+        /// <summary>Nothing can be seen in this frame.</summary>
+        Unseen,
+    }
+
+    /// <summary>One frame of a velocity: what it was, became, and should have gained in a second.</summary>
+    internal struct Link
+    {
+        public Link(Observation at, Vector before, Vector after, Vector gain)
+        {
+            At = at;
+            Before = before;
+            After = after;
+            Gain = gain;
+        }
+
+        public Observation At { get; }
+
+        public Vector Before { get; }
+
+        public Vector After { get; }
+
+        public Vector Gain { get; }
+
+        /// <summary>How far rounding in single precision can have moved the velocity.</summary>
+        public double Tolerance(double h) => 3e-6 * (Before.Length + After.Length) + 3e-5 * h * Gain.Length + 1e-7;
+    }
+
+    /// <summary>One frame held against the sheet's formula, and the coefficients that it has instead.</summary>
+    internal sealed class Match
+    {
+        private readonly double _keptOfTwo;
+
+        public Match(Link link, double h, bool decaysFirst)
+        {
+            Decay = double.NaN;
+            Miss = Miss.Unseen;
+            if (!link.Before.IsFinite || !link.Gain.IsFinite)
+                return;
+            Miss = Miss.Gain;
+            if (!link.After.IsFinite)
+                return;
+            double tolerance = link.Tolerance(h);
+            Vector gain = h * link.Gain;
+            Vector left = decaysFirst ? link.After - gain : link.After, of = decaysFirst ? link.Before : link.Before + gain;
+            IsFree = gain.Length < 1e-7;
+            if ((left - Sheet.Decay * of).Length <= tolerance)
+            {
+                Miss = Miss.None;
+                Decay = Sheet.Decay;
+                return;
+            }
+
+            Coefficients one = Coefficients.Of(left, of);
+            bool isDecayAlone = of.Length > 20 * tolerance && one.Residual <= tolerance && Math.Abs(one.First) > 1e-3;
+            if (isDecayAlone)
+            {
+                Miss = Miss.Decay;
+                Decay = one.First;
+            }
+
+            if (IsFree)
+                return;
+            Coefficients two = Coefficients.Of(link.After, link.Before, link.Gain);
+            bool canTell = two.Spread > 0.05 * link.Gain.Length && two.Spread > 0.05 * link.Before.Length && two.Spread > 1e-3;
+            if (canTell)
+            {
+                HasTwo = !isDecayAlone;
+                FitsTwo = two.Residual <= tolerance;
+                _keptOfTwo = two.First;
+            }
+            else if (isDecayAlone)
+            {
+                Miss = Miss.Either;
+            }
+        }
+
+        public Miss Miss { get; private set; }
+
+        /// <summary>The factor of step 5 in this frame; not a number where it cannot be told.</summary>
+        public double Decay { get; private set; }
+
+        public bool IsOff => Miss != Miss.None && Miss != Miss.Unseen;
+
+        /// <summary>Nothing pushes in this frame: only the factor is seen.</summary>
+        public bool IsFree { get; }
+
+        /// <summary>What is kept and what is gained can be told apart.</summary>
+        public bool HasTwo { get; }
+
+        /// <summary>The frame is a multiple of v and a multiple of g.</summary>
+        public bool FitsTwo { get; }
+
+        public void Resolve(bool isLinear, double decayWhereFree)
+        {
+            bool isAnotherFactor = isLinear && FitsTwo && _keptOfTwo > 1e-3 && _keptOfTwo < 1.5 && Math.Abs(_keptOfTwo - Sheet.Decay) > 1e-3;
+            Miss = isAnotherFactor ? Miss.Both : Miss.Gain;
+            Decay = isAnotherFactor ? _keptOfTwo : decayWhereFree;
+        }
+
+        public void Blame(Miss miss)
+        {
+            Miss = miss;
+            if (miss == Miss.Gain)
+                Decay = Sheet.Decay;
+        }
+
+        public void Forget()
+        {
+            Miss = Miss.Unseen;
+            Decay = double.NaN;
+        }
+    }
+}

@@ -1,0 +1,96 @@
+using System;
+using System.Collections.Generic;
+using System.Linq;
+
+namespace RigidBodyDynamics.Judging
+{
+    /// <summary>Where the force or the torque of a frame is taken from.</summary>
+    internal enum Source
+    {
+        /// <summary>The script's variable as the frame left it.</summary>
+        Variable,
+
+        /// <summary>What the experiment demanded: our own, or the keys'.</summary>
+        Demanded,
+
+        /// <summary>The keys', whatever the variable says.</summary>
+        Keys,
+
+        /// <summary>The script's variable as the frame before left it.</summary>
+        Earlier,
+    }
+
+    /// <summary>One frame of one experiment, ready to be fitted.</summary>
+    internal sealed class Observation
+    {
+        private readonly Frame _frame;
+
+        public Observation(Run run, int index)
+        {
+            Run = run;
+            Index = index;
+            _frame = run.Frames[index];
+            Time = _frame.Input.Time;
+            Delta = _frame.Input.Delta;
+        }
+
+        public Run Run { get; }
+
+        /// <summary>Of the frame, from 0 in its experiment.</summary>
+        public int Index { get; }
+
+        public double Time { get; }
+
+        public double Delta { get; }
+
+        public Snapshot Before => _frame.Before;
+
+        public Snapshot After => _frame.After;
+
+        public bool IsSetAnew => _frame.IsSetAnew;
+
+        /// <summary>No force or torque of the experiment's own: what the keys give can be compared.</summary>
+        public bool IsLeftToKeys => _frame.GivenForce == null && _frame.GivenTorque == null;
+
+        public double Mass => Before.Mass ?? 1;
+
+        public Vector Moved => After.Position - Before.Position;
+
+        /// <summary>The turn of the frame, from the world's side.</summary>
+        public Orientation Turn => After.Orientation * Before.Orientation.Conjugate;
+
+        /// <summary>The turn of the frame, from the body's side.</summary>
+        public Orientation TurnInBody => Before.Orientation.Conjugate * After.Orientation;
+
+        public Vector KeyForce
+        {
+            get
+            {
+                Keys held = _frame.Input.Held;
+                return new Vector(Axis(held, Keys.RightArrow, Keys.LeftArrow), Axis(held, Keys.UpArrow, Keys.DownArrow), 0);
+            }
+        }
+
+        public Vector KeyTorque => (_frame.Input.Held & Keys.R) == 0 ? Vector.Zero : Math.Sin((float)Time) * new Vector(1, 1, 1);
+
+        public static IReadOnlyList<Observation> Of(Recording recording) =>
+            recording.Runs.SelectMany(run => Enumerable.Range(0, run.Frames.Count).Select(i => new Observation(run, i))).ToArray();
+
+        public Vector Force(Source source) => Choose(source, After.Force, Before.Force, _frame.GivenForce, KeyForce);
+
+        public Vector Torque(Source source) => Choose(source, After.Torque, Before.Torque, _frame.GivenTorque, KeyTorque);
+
+        private static Vector Choose(Source source, Vector? after, Vector? before, Vector? given, Vector keys)
+        {
+            switch (source)
+            {
+                case Source.Variable: return after ?? keys;
+                case Source.Earlier: return before ?? keys;
+                case Source.Demanded: return given ?? keys;
+                default: return keys;
+            }
+        }
+
+        private static double Axis(Keys held, Keys plus, Keys minus) => 5 * (((held & plus) != 0 ? 1 : 0) - ((held & minus) != 0 ? 1 : 0));
+    }
+}
