@@ -1,9 +1,9 @@
 using System;
 using System.Diagnostics;
 using System.Globalization;
+using RigidBodyDynamics.Engine;
 using RigidBodyDynamics.Scripts;
 using UnityEngine;
-using UnityStubs;
 
 namespace RigidBodyDynamics.ComponentTimes
 {
@@ -43,18 +43,5 @@ namespace RigidBodyDynamics.ComponentTimes
 
             return least;
         }
-    }
-}
-
-namespace UnityStubs
-{
-    /// <summary>There are no scenes here.</summary>
-    internal static class SceneLoader
-    {
-        public static string PathOf(string scene) => throw new NotSupportedException(scene);
-
-        public static string InProject(string path) => throw new NotSupportedException(path);
-
-        public static void Load(string path) => throw new NotSupportedException(path);
     }
 }

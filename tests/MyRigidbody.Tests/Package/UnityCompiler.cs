@@ -74,7 +74,7 @@ internal sealed class UnityCompiler
     // only the signatures of the stand-in are needed, so what its bodies call may be missing; its own projects compile those
     private CompilationReference Engine() => (CompilationReference)CSharpCompilation.Create(
         "UnityEngine",
-        new[] { "Engine", "Editor" }.SelectMany(folder => Tree.Files("tests/UnityStubs/" + folder, "*.cs"))
+        new[] { "MyRigidbody.Engine/UnityEngine", "tests/UnityStubs/Editor" }.SelectMany(folder => Tree.Files(folder, "*.cs"))
             .Select(path => CSharpSyntaxTree.ParseText(Tree.Text(path), _options, path)),
         Standard,
         new CSharpCompilationOptions(OutputKind.DynamicallyLinkedLibrary)).ToMetadataReference();

@@ -1,8 +1,8 @@
 using System.Diagnostics;
 using System.IO;
 using NUnit.Framework;
+using RigidBodyDynamics.Engine;
 using UnityEngine;
-using UnityStubs;
 
 namespace RigidBodyDynamics.Scripts.Tests.Headless
 {

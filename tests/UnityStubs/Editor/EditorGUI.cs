@@ -1,6 +1,6 @@
 using System.Collections.Generic;
+using RigidBodyDynamics.Engine;
 using UnityEngine;
-using UnityStubs;
 
 namespace UnityEditor
 {

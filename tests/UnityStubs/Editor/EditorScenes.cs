@@ -1,8 +1,8 @@
 using System.IO;
 using System.Linq;
+using RigidBodyDynamics.Engine;
 using UnityEngine;
 using UnityEngine.SceneManagement;
-using UnityStubs;
 
 namespace UnityEditor
 {
@@ -21,7 +21,7 @@ namespace UnityEditor.SceneManagement
         /// <summary>Opens a scene in place of the present one.</summary>
         public static Scene OpenScene(string scenePath)
         {
-            World.Load(Path.GetFileNameWithoutExtension(scenePath), SceneLoader.InProject(scenePath));
+            World.Load(Path.GetFileNameWithoutExtension(scenePath), World.InProject(scenePath));
             return GetActiveScene();
         }
     }

@@ -2,8 +2,8 @@ using System;
 using System.Collections.Generic;
 using System.Linq;
 using System.Reflection;
+using RigidBodyDynamics.Engine;
 using UnityEngine;
-using UnityStubs;
 
 namespace UnityEditor
 {

@@ -2,7 +2,7 @@ using System;
 using System.Collections.Generic;
 using System.Linq;
 using NUnit.Framework;
-using UnityStubs;
+using RigidBodyDynamics.Engine;
 
 namespace RigidBodyDynamics.Scripts.Tests.Headless
 {

@@ -1,8 +1,8 @@
 using System;
 using NUnit.Framework;
+using RigidBodyDynamics.Engine;
 using UnityEngine;
 using UnityEngine.TestTools;
-using UnityStubs;
 
 namespace RigidBodyDynamics.Scripts.Tests.Headless
 {

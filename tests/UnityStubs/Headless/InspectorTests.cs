@@ -1,10 +1,10 @@
 using System;
 using System.Linq;
 using NUnit.Framework;
+using RigidBodyDynamics.Engine;
 using UnityEditor;
 using UnityEngine;
 using UnityEngine.TestTools;
-using UnityStubs;
 
 namespace RigidBodyDynamics.Scripts.Tests.Headless
 {

@@ -1,6 +1,6 @@
 using NUnit.Framework;
+using RigidBodyDynamics.Engine;
 using UnityEngine;
-using UnityStubs;
 
 namespace RigidBodyDynamics.Scripts.Tests.Headless
 {

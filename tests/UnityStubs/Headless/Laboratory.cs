@@ -2,9 +2,9 @@ using System;
 using System.IO;
 using System.Linq;
 using NUnit.Framework;
+using RigidBodyDynamics.Engine;
 using UnityEngine;
 using UnityEngine.SceneManagement;
-using UnityStubs;
 
 namespace RigidBodyDynamics.Scripts.Tests.Headless
 {

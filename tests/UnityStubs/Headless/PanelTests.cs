@@ -1,7 +1,7 @@
 using System.Linq;
 using NUnit.Framework;
+using RigidBodyDynamics.Engine;
 using UnityEngine;
-using UnityStubs;
 
 namespace RigidBodyDynamics.Scripts.Tests.Headless
 {

@@ -1,9 +1,9 @@
 using System.Collections.Generic;
 using System.Linq;
 using NUnit.Framework;
+using RigidBodyDynamics.Engine;
 using UnityEngine;
 using UnityEngine.TestTools;
-using UnityStubs;
 
 namespace RigidBodyDynamics.Scripts.Tests.Headless
 {

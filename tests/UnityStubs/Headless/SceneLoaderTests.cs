@@ -2,10 +2,10 @@ using System.IO;
 using System.Linq;
 using System.Text.RegularExpressions;
 using NUnit.Framework;
+using RigidBodyDynamics.Engine;
 using UnityEngine;
 using UnityEngine.SceneManagement;
 using UnityEngine.TestTools;
-using UnityStubs;
 
 namespace RigidBodyDynamics.Scripts.Tests.Headless
 {

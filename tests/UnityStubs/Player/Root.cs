@@ -1,7 +1,7 @@
 using System.IO;
 using System.Runtime.CompilerServices;
 
-namespace UnityStubs
+namespace RigidBodyDynamics.Engine
 {
     /// <summary>The folder of the repository: the first above the test assembly, or else above this file, that holds the solution.</summary>
     internal static class Root

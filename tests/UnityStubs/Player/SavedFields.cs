@@ -4,7 +4,7 @@ using System.Linq;
 using System.Reflection;
 using UnityEngine;
 
-namespace UnityStubs
+namespace RigidBodyDynamics.Engine
 {
     /// <summary>The fields of a script that Unity saves.</summary>
     internal static class SavedFields

@@ -6,7 +6,7 @@ using RigidBodyDynamics.UnityFiles;
 using UnityEngine;
 using YamlDotNet.RepresentationModel;
 
-namespace UnityStubs
+namespace RigidBodyDynamics.Engine
 {
     /// <summary>Fills a part of an object with what the scene file says of it.</summary>
     internal sealed class SceneFields

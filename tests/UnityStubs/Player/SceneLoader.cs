@@ -6,11 +6,14 @@ using RigidBodyDynamics.UnityFiles;
 using UnityEngine;
 using YamlDotNet.RepresentationModel;
 
-namespace UnityStubs
+namespace RigidBodyDynamics.Engine
 {
     /// <summary>Makes the objects of a scene file, then wakes them.</summary>
     internal sealed class SceneLoader
     {
+        /// <summary>The scenes of the repository's project.</summary>
+        public static IScenes Scenes { get; } = new OfTheProject();
+
         private static readonly Lazy<AssetIndex> Index = new Lazy<AssetIndex>(() => new AssetIndex(new[] { InProject("Assets") }));
 
         private readonly UnityFile _file;
@@ -95,6 +98,15 @@ namespace UnityStubs
             string path = Index.Value.Find(Yaml.Text(part["m_Script"]["guid"]));
             string name = Path.GetFileNameWithoutExtension(path);
             return path == null ? null : Array.Find(typeof(SceneLoader).Assembly.GetTypes(), type => type.Name == name && typeof(MonoBehaviour).IsAssignableFrom(type));
+        }
+
+        private sealed class OfTheProject : IScenes
+        {
+            public string PathOf(string scene) => SceneLoader.PathOf(scene);
+
+            public string InProject(string path) => SceneLoader.InProject(path);
+
+            public void Load(string path) => SceneLoader.Load(path);
         }
     }
 }

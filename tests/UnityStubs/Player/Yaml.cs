@@ -2,7 +2,7 @@ using System.Globalization;
 using UnityEngine;
 using YamlDotNet.RepresentationModel;
 
-namespace UnityStubs
+namespace RigidBodyDynamics.Engine
 {
     /// <summary>Reads the values of a scene file.</summary>
     internal static class Yaml

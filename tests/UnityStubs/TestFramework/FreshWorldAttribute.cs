@@ -2,9 +2,9 @@ using System;
 using NUnit.Framework;
 using NUnit.Framework.Interfaces;
 
-[assembly: UnityStubs.FreshWorld]
+[assembly: RigidBodyDynamics.Engine.FreshWorld]
 
-namespace UnityStubs
+namespace RigidBodyDynamics.Engine
 {
     /// <summary>
     /// Every test has a world of its own, in play mode but for those of the namespace Edit; and what is in the console at its end
@@ -15,7 +15,11 @@ namespace UnityStubs
     {
         public ActionTargets Targets => ActionTargets.Test;
 
-        public void BeforeTest(ITest test) => World.Begin(isPlaying: !test.ClassName.Contains(".Edit."));
+        public void BeforeTest(ITest test)
+        {
+            World.Scenes = SceneLoader.Scenes;
+            World.Begin(isPlaying: !test.ClassName.Contains(".Edit."));
+        }
 
         public void AfterTest(ITest test)
         {

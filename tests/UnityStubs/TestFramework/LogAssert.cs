@@ -1,5 +1,5 @@
 using System.Text.RegularExpressions;
-using UnityStubs;
+using RigidBodyDynamics.Engine;
 
 namespace UnityEngine.TestTools
 {

@@ -5,7 +5,7 @@ using NUnit.Framework.Interfaces;
 using NUnit.Framework.Internal;
 using NUnit.Framework.Internal.Builders;
 using NUnit.Framework.Internal.Commands;
-using UnityStubs;
+using RigidBodyDynamics.Engine;
 
 namespace UnityEngine.TestTools
 {

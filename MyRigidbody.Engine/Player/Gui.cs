@@ -1,0 +1,139 @@
+using System;
+using System.Collections.Generic;
+using System.Linq;
+using UnityEngine;
+
+namespace RigidBodyDynamics.Engine
+{
+    /// <summary>The immediate-mode GUI: sends its events to every OnGUI, notes what was drawn, and clicks for a test.</summary>
+    public static partial class Gui
+    {
+        private static readonly Dictionary<object, Layout> Layouts = new Dictionary<object, Layout>();
+        private static List<(string Kind, string Text)> _drawn = new List<(string, string)>();
+        private static Layout _layout;
+        private static string _click, _held;
+        private static int _choice;
+
+        /// <summary>What the last frame drew: button, toggle, label … and what stands on it.</summary>
+        public static IReadOnlyList<(string Kind, string Text)> Drawn => _drawn;
+
+        /// <summary>The texts of the last frame.</summary>
+        public static IEnumerable<string> Texts => _drawn.Select(control => control.Text);
+
+        internal static bool HasChanged { get; set; }
+
+        /// <summary>Clicks on the button or toggle with a text, at once.</summary>
+        public static void Click(string text) => ClickOrChoose(text, 0);
+
+        /// <summary>Takes an entry of the menu with a label.</summary>
+        public static void Choose(string label, int entry) => ClickOrChoose(label, entry);
+
+        /// <summary>Keeps the mouse down on the button with a text; null lets go.</summary>
+        public static void HoldDown(string text) => _held = text;
+
+        internal static void Reset()
+        {
+            Layouts.Clear();
+            _drawn = new List<(string, string)>();
+            _click = _held = null;
+            Event.current = null;
+        }
+
+        /// <summary>The events of a frame: keys, then the drawing.</summary>
+        internal static void Frame()
+        {
+            foreach ((KeyCode key, bool isDown) in Keys.TakeChanges())
+                SendToAll(() => new Event { type = isDown ? EventType.KeyDown : EventType.KeyUp, keyCode = key });
+
+            _drawn = new List<(string, string)>();
+            SendToAll(() => new Event { type = EventType.Repaint });
+        }
+
+        /// <summary>A control that cannot be clicked.</summary>
+        internal static void Control(string kind, string text)
+        {
+            MustBeInside().Control();
+            if (Event.current.type == EventType.Repaint)
+                _drawn.Add((kind, text));
+        }
+
+        /// <summary>A control that can; true in the event that clicks it.</summary>
+        internal static bool Clickable(string kind, string text)
+        {
+            Control(kind, text);
+            if (Event.current.type != EventType.MouseUp || text != _click)
+                return false;
+
+            _click = null;
+            HasChanged = true;
+            Event.current.Use();
+            return true;
+        }
+
+        /// <summary>A menu: the entry taken, or the one it has.</summary>
+        internal static int Menu(string text, int selected) => Clickable("menu", text) ? _choice : selected;
+
+        /// <summary>While it is painted, such a button says whether it is held.</summary>
+        internal static bool Holdable(string text)
+        {
+            Control("repeat button", text);
+            return Event.current.type == EventType.Repaint && text == _held;
+        }
+
+        internal static void Open(string kind) => MustBeInside().Open(kind);
+
+        internal static void Close(string kind) => MustBeInside().Close(kind);
+
+        private static Layout MustBeInside() =>
+            Event.current != null ? _layout : throw new ArgumentException("You can only call GUI functions from inside OnGUI.");
+
+        private static void ClickOrChoose(string text, int choice)
+        {
+            Aim(text, choice);
+            SendToAll(() => new Event { type = EventType.MouseUp });
+            MustHaveHit();
+        }
+
+        private static void Aim(string text, int choice)
+        {
+            _click = text;
+            _choice = choice;
+        }
+
+        private static void MustHaveHit()
+        {
+            string missed = _click;
+            _click = null;
+            if (missed != null)
+                throw new InvalidOperationException("nothing to click says: " + missed);
+        }
+
+        private static void SendToAll(Func<Event> make)
+        {
+            foreach (MonoBehaviour script in World.Scripts.ToArray())
+            {
+                if (script && script.isActiveAndEnabled && Messages.Has(script, "OnGUI"))
+                    Send(make(), script, () => Messages.Send(script, "OnGUI"));
+            }
+        }
+
+        // Unity lays out before every other event
+        private static void Send(Event then, object owner, Action draw)
+        {
+            if (!Layouts.TryGetValue(owner, out _layout))
+                Layouts.Add(owner, _layout = new Layout());
+
+            foreach (Event next in new[] { new Event { type = EventType.Layout, keyCode = then.keyCode }, then })
+            {
+                Event.current = next;
+                GUI.color = Color.white;
+                GUI.matrix = Matrix4x4.identity;
+                _layout.Begin();
+                draw();
+                _layout.End();
+            }
+
+            Event.current = null;
+        }
+    }
+}

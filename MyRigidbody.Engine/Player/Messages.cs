@@ -1,0 +1,72 @@
+using System;
+using System.Collections.Generic;
+using System.Reflection;
+using UnityEngine;
+
+namespace RigidBodyDynamics.Engine
+{
+    /// <summary>Finds a script's messages by their names, private ones too, and calls them as Unity does.</summary>
+    internal static class Messages
+    {
+        private const BindingFlags Own = BindingFlags.Instance | BindingFlags.Public | BindingFlags.NonPublic | BindingFlags.DeclaredOnly;
+        private static readonly Dictionary<(Type, string), MethodInfo> Found = new Dictionary<(Type, string), MethodInfo>();
+
+        /// <summary>True where who plays wants to see what a script throws.</summary>
+        public static bool ExceptionsPass { get; set; }
+
+        public static bool Has(MonoBehaviour script, string message) => Find(script.GetType(), message) != null;
+
+        /// <summary>An exception goes to the console, and the game goes on.</summary>
+        public static void Send(MonoBehaviour script, string message, params object[] arguments)
+        {
+            MethodInfo method = Find(script.GetType(), message);
+            if (method == null)
+                return;
+
+            try
+            {
+                method.Invoke(script, method.GetParameters().Length == 0 ? null : arguments);
+            }
+            catch (TargetInvocationException wrong) when (!ExceptionsPass)
+            {
+                Debug.LogException(wrong.InnerException, script);
+            }
+        }
+
+        /// <summary>What the editor sends when a value has been set in it.</summary>
+        public static void Validate(Component changed)
+        {
+            if (changed is MonoBehaviour script)
+                Send(script, "OnValidate");
+        }
+
+        /// <summary>What scripts have called when the game begins.</summary>
+        public static void CallInitializers()
+        {
+            foreach (Type type in typeof(Messages).Assembly.GetTypes())
+            {
+                foreach (MethodInfo method in type.GetMethods(BindingFlags.Static | BindingFlags.Public | BindingFlags.NonPublic | BindingFlags.DeclaredOnly))
+                {
+                    if (method.IsDefined(typeof(RuntimeInitializeOnLoadMethodAttribute)))
+                        method.Invoke(null, null);
+                }
+            }
+        }
+
+        /// <summary>Forgets the scripts of a world that has ended: their assemblies may go.</summary>
+        public static void Forget() => Found.Clear();
+
+        internal static MethodInfo Find(Type type, string message)
+        {
+            if (Found.TryGetValue((type, message), out MethodInfo known))
+                return known;
+
+            MethodInfo method = null;
+            for (Type owner = type; method == null && owner != typeof(MonoBehaviour); owner = owner.BaseType)
+                method = owner.GetMethod(message, Own);
+
+            Found.Add((type, message), method);
+            return method;
+        }
+    }
+}

@@ -1,0 +1,128 @@
+using RigidBodyDynamics;
+using UnityEngine;
+
+namespace RigidBodyDynamics.Engine
+{
+    /// <summary>
+    /// The motion of a Rigidbody: the rule that repeats recorded PhysX motions bit for bit. A script's change is taken over with
+    /// the next step.
+    /// </summary>
+    internal sealed class PhysicsBody
+    {
+        // what PhysX gives a body that has just been woken, s
+        private const double Awake = 0.4f;
+
+        private readonly Hand _hand = new Hand();
+        private UnityRigidbody<ToSingle> _rule;
+        private bool _hasBegun, _isChanged = true;
+        private double _wakeCounter = Awake;
+        private Vector3 _force, _torque, _seenPosition;
+        private Quaternion _seenRotation;
+
+        public Vector3 Position { get; private set; }
+
+        public Quaternion Rotation { get; private set; }
+
+        public Vector3 Velocity { get; private set; }
+
+        public Vector3 AngularVelocity { get; private set; }
+
+        public bool IsAsleep { get; private set; }
+
+        /// <summary>A setting is another now.</summary>
+        public void Change() => _isChanged = true;
+
+        /// <summary>The pose it has as long as nothing has set one.</summary>
+        public void Begin(Vector3 position, Quaternion rotation)
+        {
+            if (!_hasBegun)
+                MoveTo(position, rotation);
+        }
+
+        /// <summary>Takes over the pose of the object if a script has changed it.</summary>
+        public void Follow(Vector3 position, Quaternion rotation)
+        {
+            bool isMoved = !position.Equals(_seenPosition) || !rotation.Equals(_seenRotation);
+            _seenPosition = position;
+            _seenRotation = rotation;
+            if (isMoved && !(position.Equals(Position) && rotation.Equals(Rotation)))
+                MoveTo(position, rotation);
+        }
+
+        public void MoveTo(Vector3 position, Quaternion rotation)
+        {
+            Position = position;
+            Rotation = rotation;
+            _hasBegun = _isChanged = true;
+        }
+
+        public void SetVelocities(Vector3 velocity, Vector3 angularVelocity)
+        {
+            Velocity = velocity;
+            AngularVelocity = angularVelocity;
+            WakeUp();
+        }
+
+        /// <summary>What is added acts in the next step, once.</summary>
+        public void Push(Vector3 force, Vector3 torque)
+        {
+            _force += force;
+            _torque += torque;
+        }
+
+        public void WakeUp()
+        {
+            IsAsleep = false;
+            _wakeCounter = Awake;
+            _isChanged = true;
+        }
+
+        public void Sleep()
+        {
+            Velocity = AngularVelocity = _force = _torque = Vector3.zero;
+            IsAsleep = true;
+            _wakeCounter = 0;
+            _isChanged = true;
+        }
+
+        public void Step(float step, BodyDescription body, Vector3 gravity)
+        {
+            if (_isChanged)
+            {
+                body.Start = new BodyState(Position.Exact(), Rotation.Exact(), Velocity.Exact(), AngularVelocity.Exact());
+                body.Unity.WakeCounter = _wakeCounter;
+                _rule.Start(body);
+                _isChanged = false;
+            }
+
+            Coasting coasting = Coasting.Free;
+            coasting.Acceleration = gravity.Exact();
+            _hand.Force = _force.Exact();
+            _hand.Torque = _torque.Exact();
+            HeldBy push = new HeldBy(_hand);
+            _rule.Prepare(step, coasting);
+            _rule.Step(default(Instant), ref push);
+            _force = _torque = Vector3.zero;
+
+            BodyState now = _rule.State;
+            Position = now.Position.Rounded();
+            Rotation = now.Orientation.Rounded();
+            Velocity = now.Velocity.Rounded();
+            AngularVelocity = now.AngularVelocity.Rounded();
+            IsAsleep = _rule.IsAsleep;
+            _wakeCounter = _rule.WakeCounter;
+        }
+    }
+
+    /// <summary>Between the engine's numbers and the library's.</summary>
+    internal static class Conversions
+    {
+        public static Vector3d Exact(this Vector3 v) => new Vector3d(v.x, v.y, v.z);
+
+        public static Quaterniond Exact(this Quaternion q) => new Quaterniond(q.w, q.x, q.y, q.z);
+
+        public static Vector3 Rounded(this Vector3d v) => new Vector3((float)v.X, (float)v.Y, (float)v.Z);
+
+        public static Quaternion Rounded(this Quaterniond q) => new Quaternion((float)q.X, (float)q.Y, (float)q.Z, (float)q.W);
+    }
+}

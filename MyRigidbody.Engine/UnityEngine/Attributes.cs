@@ -1,0 +1,134 @@
+using System;
+
+namespace UnityEngine
+{
+    /// <summary>The base of what the inspector reads.</summary>
+    [AttributeUsage(AttributeTargets.Field, AllowMultiple = false)]
+    public abstract class PropertyAttribute : Attribute { }
+
+    /// <summary>What the inspector says of a field.</summary>
+    [AttributeUsage(AttributeTargets.Field, AllowMultiple = false)]
+    public class TooltipAttribute : PropertyAttribute
+    {
+        public readonly string tooltip;
+
+        public TooltipAttribute(string tooltip) => this.tooltip = tooltip;
+    }
+
+    /// <summary>A heading above a field.</summary>
+    [AttributeUsage(AttributeTargets.Field, AllowMultiple = true)]
+    public class HeaderAttribute : PropertyAttribute
+    {
+        public readonly string header;
+
+        public HeaderAttribute(string header) => this.header = header;
+    }
+
+    /// <summary>A private field that is saved.</summary>
+    [AttributeUsage(AttributeTargets.Field)]
+    public sealed class SerializeField : Attribute { }
+
+    /// <summary>A part that is added with this one.</summary>
+    [AttributeUsage(AttributeTargets.Class, AllowMultiple = true)]
+    public sealed class RequireComponent : Attribute
+    {
+        public Type m_Type0;
+        public Type m_Type1;
+
+        public RequireComponent(Type requiredComponent) => m_Type0 = requiredComponent;
+
+        public RequireComponent(Type requiredComponent, Type requiredComponent2) : this(requiredComponent) => m_Type1 = requiredComponent2;
+    }
+
+    /// <summary>Once on an object.</summary>
+    [AttributeUsage(AttributeTargets.Class, Inherited = false)]
+    public sealed class DisallowMultipleComponent : Attribute { }
+
+    /// <summary>Where the menu has it.</summary>
+    [AttributeUsage(AttributeTargets.Class)]
+    public sealed class AddComponentMenu : Attribute
+    {
+        public AddComponentMenu(string menuName) => componentMenu = menuName;
+
+        public string componentMenu { get; }
+    }
+
+    /// <summary>A static method that is called when the game begins.</summary>
+    [AttributeUsage(AttributeTargets.Method, AllowMultiple = false)]
+    public class RuntimeInitializeOnLoadMethodAttribute : Attribute
+    {
+        public RuntimeInitializeOnLoadMethodAttribute() { }
+    }
+
+    /// <summary>The least and the greatest value of a field in the inspector.</summary>
+    [AttributeUsage(AttributeTargets.Field)]
+    public sealed class RangeAttribute : PropertyAttribute
+    {
+        public readonly float min;
+        public readonly float max;
+
+        public RangeAttribute(float min, float max)
+        {
+            this.min = min;
+            this.max = max;
+        }
+    }
+
+    /// <summary>The least value of a field in the inspector.</summary>
+    [AttributeUsage(AttributeTargets.Field)]
+    public sealed class MinAttribute : PropertyAttribute
+    {
+        public readonly float min;
+
+        public MinAttribute(float min) => this.min = min;
+    }
+
+    /// <summary>Room above a field.</summary>
+    [AttributeUsage(AttributeTargets.Field, AllowMultiple = true)]
+    public sealed class SpaceAttribute : PropertyAttribute
+    {
+        public readonly float height;
+
+        public SpaceAttribute() : this(8) { }
+
+        public SpaceAttribute(float height) => this.height = height;
+    }
+
+    /// <summary>A text of several lines.</summary>
+    [AttributeUsage(AttributeTargets.Field)]
+    public sealed class TextAreaAttribute : PropertyAttribute { }
+
+    /// <summary>A text of several lines.</summary>
+    [AttributeUsage(AttributeTargets.Field)]
+    public sealed class MultilineAttribute : PropertyAttribute { }
+
+    /// <summary>A public field that the inspector does not show.</summary>
+    [AttributeUsage(AttributeTargets.Field)]
+    public sealed class HideInInspector : Attribute { }
+
+    /// <summary>A script that runs in the editor too.</summary>
+    [AttributeUsage(AttributeTargets.Class)]
+    public sealed class ExecuteInEditMode : Attribute { }
+
+    /// <summary>A script that runs in the editor too.</summary>
+    [AttributeUsage(AttributeTargets.Class)]
+    public sealed class ExecuteAlways : Attribute { }
+
+    /// <summary>When its messages come, beside those of other scripts.</summary>
+    [AttributeUsage(AttributeTargets.Class)]
+    public sealed class DefaultExecutionOrder : Attribute
+    {
+        public DefaultExecutionOrder(int order) => this.order = order;
+
+        public int order { get; }
+    }
+
+    /// <summary>A method in the menu of the component.</summary>
+    [AttributeUsage(AttributeTargets.Method)]
+    public sealed class ContextMenu : Attribute
+    {
+        public readonly string menuItem;
+
+        public ContextMenu(string itemName) => menuItem = itemName;
+    }
+}

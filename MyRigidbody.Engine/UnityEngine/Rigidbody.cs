@@ -1,0 +1,173 @@
+using RigidBodyDynamics;
+using RigidBodyDynamics.Engine;
+
+namespace UnityEngine
+{
+    /// <summary>Unity's own body, which moves here by the library's UnityRigidbody.</summary>
+    public sealed class Rigidbody : Component
+    {
+        private readonly PhysicsBody _body = new PhysicsBody();
+        private float _mass = 1, _drag, _angularDrag = 0.05f, _maxAngularVelocity = 7, _sleepThreshold = 0.005f;
+        private Vector3? _inertiaTensor;
+        private Quaternion _inertiaTensorRotation = Quaternion.identity;
+        private Vector3? _centerOfMass;
+
+        public float mass { get => _mass; set => Set(ref _mass, value); }
+
+        public bool useGravity { get; set; } = true;
+
+        public float maxAngularVelocity { get => _maxAngularVelocity; set => Set(ref _maxAngularVelocity, value); }
+
+        public float sleepThreshold { get => _sleepThreshold; set => Set(ref _sleepThreshold, value); }
+
+        /// <summary>Moments about the principal axes: those of the collider until a script sets others.</summary>
+        public Vector3 inertiaTensor
+        {
+            get => _inertiaTensor ?? SolidBox();
+            set
+            {
+                _inertiaTensor = value;
+                _body.Change();
+            }
+        }
+
+        public Quaternion inertiaTensorRotation { get => _inertiaTensorRotation; set => Set(ref _inertiaTensorRotation, value); }
+
+        public Vector3 centerOfMass
+        {
+            get => _centerOfMass ?? ColliderCenter();
+            set
+            {
+                _centerOfMass = value;
+                _body.Change();
+            }
+        }
+
+        public Vector3 position
+        {
+            get => Pose().Position;
+            set => _body.MoveTo(value, Pose().Rotation);
+        }
+
+        public Quaternion rotation
+        {
+            get => Pose().Rotation;
+            set => _body.MoveTo(Pose().Position, value);
+        }
+
+        public Vector3 angularVelocity
+        {
+            get => _body.AngularVelocity;
+            set => _body.SetVelocities(_body.Velocity, value);
+        }
+
+        // the old names and the new ones, each in its own version alone, so that a use in the wrong one is found
+#if UNITY_6000_0_OR_NEWER || EVERY_UNITY
+        public Vector3 linearVelocity { get => _body.Velocity; set => _body.SetVelocities(value, _body.AngularVelocity); }
+
+        public float linearDamping { get => _drag; set => Set(ref _drag, value); }
+
+        public float angularDamping { get => _angularDrag; set => Set(ref _angularDrag, value); }
+#endif
+#if !UNITY_6000_0_OR_NEWER
+        public Vector3 velocity { get => _body.Velocity; set => _body.SetVelocities(value, _body.AngularVelocity); }
+
+        public float drag { get => _drag; set => Set(ref _drag, value); }
+
+        public float angularDrag { get => _angularDrag; set => Set(ref _angularDrag, value); }
+#endif
+
+        public void AddForce(Vector3 force) => _body.Push(force, Vector3.zero);
+
+        public void AddForce(Vector3 force, ForceMode mode) => AddForce(force * Weight(mode, mass));
+
+        public void AddTorque(Vector3 torque) => _body.Push(Vector3.zero, torque);
+
+        public void AddRelativeForce(Vector3 force) => AddForce(rotation * force);
+
+        public void AddRelativeTorque(Vector3 torque) => AddTorque(rotation * torque);
+
+        public void MovePosition(Vector3 position) => this.position = position;
+
+        public void MoveRotation(Quaternion rot) => rotation = rot;
+
+        /// <summary>The collider's moments again, in place of those a script has set.</summary>
+        public void ResetInertiaTensor()
+        {
+            _inertiaTensor = null;
+            _inertiaTensorRotation = Quaternion.identity;
+            _body.Change();
+        }
+
+        public bool IsSleeping() => _body.IsAsleep;
+
+        public void WakeUp() => _body.WakeUp();
+
+        public void Sleep() => _body.Sleep();
+
+        /// <summary>One step, and the object goes where the body went.</summary>
+        internal void Step(float step)
+        {
+            // a script that has moved the object has moved the body
+            _body.Follow(transform.position, transform.rotation);
+            _body.Step(step, Describe(), useGravity ? Physics.gravity : Vector3.zero);
+            transform.Place(_body.Position, _body.Rotation);
+            _body.Follow(transform.position, transform.rotation);
+        }
+
+        private BodyDescription Describe() => new BodyDescription("Rigidbody", MassProperties.FromPrincipal(
+            mass, inertiaTensor.Exact(), inertiaTensorRotation.Exact(), centerOfMass.Exact()))
+        {
+            Integrator = "UnityRigidbody",
+            Unity = new UnitySettings
+            {
+                Drag = _drag,
+                AngularDrag = _angularDrag,
+                MaxAngularVelocity = _maxAngularVelocity,
+                SleepThreshold = _sleepThreshold,
+            },
+        };
+
+        private (Vector3 Position, Quaternion Rotation) Pose()
+        {
+            _body.Begin(transform.position, transform.rotation);
+            return (_body.Position, _body.Rotation);
+        }
+
+        private Vector3 SolidBox()
+        {
+            BoxCollider box = GetComponent<BoxCollider>();
+            if (box == null)
+                return Vector3.one;
+
+            Vector3 edges = Vector3.Scale(box.size, transform.lossyScale), squares = Vector3.Scale(edges, edges);
+            return mass / 12 * new Vector3(squares.y + squares.z, squares.z + squares.x, squares.x + squares.y);
+        }
+
+        private Vector3 ColliderCenter()
+        {
+            BoxCollider box = GetComponent<BoxCollider>();
+            return box == null ? Vector3.zero : Vector3.Scale(box.center, transform.lossyScale);
+        }
+
+        // as a force that acts during one step
+        private static float Weight(ForceMode mode, float mass) =>
+            (mode == ForceMode.Impulse || mode == ForceMode.VelocityChange ? 1 / Time.fixedDeltaTime : 1)
+            * (mode == ForceMode.Acceleration || mode == ForceMode.VelocityChange ? mass : 1);
+
+        private void Set<T>(ref T field, T value)
+        {
+            field = value;
+            _body.Change();
+        }
+    }
+
+    /// <summary>What the numbers of a push are, with Unity's numbers.</summary>
+    public enum ForceMode
+    {
+        Force = 0,
+        Impulse = 1,
+        VelocityChange = 2,
+        Acceleration = 5,
+    }
+}

@@ -1,0 +1,23 @@
+namespace UnityEngine
+{
+    /// <summary>What a coroutine waits for.</summary>
+    public class YieldInstruction { }
+
+    /// <summary>Until the next fixed step is done, the engine's physics too.</summary>
+    public sealed class WaitForFixedUpdate : YieldInstruction { }
+
+    /// <summary>Until so many seconds of the game's time have passed.</summary>
+    public sealed class WaitForSeconds : YieldInstruction
+    {
+        public WaitForSeconds(float seconds) { }
+    }
+
+    /// <summary>Until the frame is drawn.</summary>
+    public sealed class WaitForEndOfFrame : YieldInstruction { }
+
+    /// <summary>What goes on over many frames.</summary>
+    public sealed class Coroutine : YieldInstruction
+    {
+        internal Coroutine() { }
+    }
+}
