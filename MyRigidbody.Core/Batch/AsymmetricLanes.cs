@@ -27,7 +27,7 @@ namespace RigidBodyDynamics
 
         public void Start(MassProperties mass)
         {
-            _one.Start(mass, Quaterniond.Identity, Vector3d.Zero);
+            _one.Start(mass, Quaterniondd.Unit(Quaterniond.Identity), Vector3d.Zero);
             _shape = mass.Shape;
             _i1 = new Lanes(_shape.I1);
             _i3 = new Lanes(_shape.I3);
@@ -43,6 +43,8 @@ namespace RigidBodyDynamics
         }
 
         public Vector3d FromBody(Vector3d v) => _shape.Axes.FromBody(v);
+
+        public Vector3d FromWorld(Vector3d v) => _shape.Axes.FromWorld(v);
 
         public void Kick(in Group bodies, in Impulse impulse)
         {

@@ -11,14 +11,14 @@ namespace RigidBodyDynamics
         public void Carry(Row row, bool isAll)
         {
             row.Carry(AsymmetricLanes.Q, ref _q);
+            row.Carry(AsymmetricLanes.QLost, ref _qLost);
             row.Carry(AsymmetricLanes.W, ref _w);
+            row.Carry(AsymmetricLanes.WLost, ref _wLost);
             row.Carry(AsymmetricLanes.Scale, ref _scale);
             if (!isAll)
                 return;
 
             double turns = _isShort ? _count : -_count;
-            row.Carry(AsymmetricLanes.QLost, ref _qLost);
-            row.Carry(AsymmetricLanes.WLost, ref _wLost);
             row.Carry(AsymmetricLanes.Energy, ref _energy);
             row.Carry(AsymmetricLanes.Separation, ref _separation);
             row.Carry(AsymmetricLanes.PreparedFor, ref _preparedFor);

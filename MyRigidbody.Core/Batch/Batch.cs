@@ -85,7 +85,7 @@ namespace RigidBodyDynamics
         }
 
         /// <summary>Where a body is and how it moves now.</summary>
-        /// <param name="id">The number that <see cref="Add"/> gave it.</param>
+        /// <param name="id">The number that <see cref="Add(in BodyState)"/> gave it.</param>
         public BodyState this[int id]
         {
             get
@@ -97,13 +97,26 @@ namespace RigidBodyDynamics
         }
 
         /// <summary>True while a body has been put to sleep.</summary>
-        /// <param name="id">The number that <see cref="Add"/> gave it.</param>
+        /// <param name="id">The number that <see cref="Add(in BodyState)"/> gave it.</param>
         public bool IsAsleep(int id) => _crowd.IsAsleep(_places.Of(id));
 
         /// <summary>Adds a body that starts now. Its number is its own until it is removed, and may then be another's.</summary>
         public int Add(in BodyState start)
         {
             _like.Start = start;
+            return Add();
+        }
+
+        /// <summary>Adds a body that starts now, with an angular velocity (rad/s) in body axes instead of the start's own.</summary>
+        public int Add(in BodyState start, Vector3d angularVelocityInBody)
+        {
+            _like.Start = start;
+            _like.AngularVelocityInBody = angularVelocityInBody;
+            return Add();
+        }
+
+        private int Add()
+        {
             _like.Check();
             int place = Count;
             if (place == _capacity)
@@ -120,7 +133,7 @@ namespace RigidBodyDynamics
         }
 
         /// <summary>Removes a body.</summary>
-        /// <param name="id">The number that <see cref="Add"/> gave it.</param>
+        /// <param name="id">The number that <see cref="Add(in BodyState)"/> gave it.</param>
         public void Remove(int id)
         {
             int place = _places.Of(id), last = Count - 1;

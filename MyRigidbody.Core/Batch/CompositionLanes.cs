@@ -79,7 +79,7 @@ namespace RigidBodyDynamics
                 BodyState unread = default(BodyState);
                 Wrench given = default(Wrench);
                 push.Over(at, kick, unread, _mass, ref given);
-                impulses[i] = new Impulse(_canMove ? does : does & ~PushTraits.Moves, given, _mass.InverseMass, _top.FromBody(given.BodyTorque));
+                impulses[i] = new Impulse(_canMove ? does : does & ~PushTraits.Moves, given, _mass.InverseMass, _top.FromWorld(given.Torque), _top.FromBody(given.BodyTorque));
                 if (i < drifts.Length)
                     stages[i] = new Stage(length, length == _dt ? _whole : new Drift(_coasting, length));
 
@@ -225,16 +225,16 @@ namespace RigidBodyDynamics
         /// <summary>The change of the velocity, m/s.</summary>
         public readonly Vector3d Velocity;
 
-        /// <summary>Angular momentum in world axes and in body axes, N m s, the latter in the order of the top's own axes.</summary>
+        /// <summary>Angular momentum in world axes and in body axes, N m s, both in the order of the top's own axes.</summary>
         public readonly Vector3d World, Body;
 
         public readonly bool HasWorld, HasBody;
 
-        public Impulse(PushTraits does, in Wrench given, double inverseMass, Vector3d inOwnAxes)
+        public Impulse(PushTraits does, in Wrench given, double inverseMass, Vector3d inWorld, Vector3d inOwnAxes)
         {
             Does = does;
             Velocity = inverseMass * given.Force;
-            World = given.Torque;
+            World = inWorld;
             HasWorld = !given.Torque.IsZero;
             HasBody = !given.BodyTorque.IsZero;
             Body = HasBody ? inOwnAxes : given.BodyTorque;

@@ -36,6 +36,8 @@ namespace RigidBodyDynamics
 
         public Vector3d FromBody(Vector3d v) => v;
 
+        public Vector3d FromWorld(Vector3d v) => v;
+
         public void Kick(in Group bodies, in Impulse impulse)
         {
             VectorLanes change = new VectorLanes(impulse.World);

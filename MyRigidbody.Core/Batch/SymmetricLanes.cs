@@ -21,12 +21,12 @@ namespace RigidBodyDynamics
         public void Carry(Row row, bool isAll)
         {
             row.Carry(SymmetricLanes.Q, ref _q);
+            row.Carry(SymmetricLanes.QLost, ref _qLost);
             row.Carry(SymmetricLanes.Momentum, ref _momentum);
             row.Carry(SymmetricLanes.W3, ref _w3);
             if (!isAll)
                 return;
 
-            row.Carry(SymmetricLanes.QLost, ref _qLost);
             row.Carry(SymmetricLanes.Turn, ref _turn);
             row.Carry(SymmetricLanes.SpinW, ref _spinW);
             row.Carry(SymmetricLanes.SpinZ, ref _spinZ);
@@ -48,7 +48,7 @@ namespace RigidBodyDynamics
         public void Start(MassProperties mass)
         {
             SymmetricTop one = default(SymmetricTop);
-            one.Start(mass, Quaterniond.Identity, Vector3d.Zero);
+            one.Start(mass, Quaterniondd.Unit(Quaterniond.Identity), Vector3d.Zero);
             _axes = one.Axes;
             _across = one.Across;
             _along = one.Along;
@@ -56,6 +56,8 @@ namespace RigidBodyDynamics
         }
 
         public Vector3d FromBody(Vector3d v) => _axes.FromBody(v);
+
+        public Vector3d FromWorld(Vector3d v) => _axes.FromWorld(v);
 
         public void Kick(in Group bodies, in Impulse impulse)
         {

@@ -12,6 +12,9 @@ namespace RigidBodyDynamics
         /// <summary>A vector in body axes, in the axes in which the top wants it.</summary>
         Vector3d FromBody(Vector3d v);
 
+        /// <summary>A vector in world axes, in the axes of the world in the order in which the top wants them.</summary>
+        Vector3d FromWorld(Vector3d v);
+
         void Advance(in Group bodies, double time);
 
         void Kick(in Group bodies, in Impulse impulse);
@@ -49,6 +52,8 @@ namespace RigidBodyDynamics
         public void Start(MassProperties mass) { }
 
         public Vector3d FromBody(Vector3d v) => v;
+
+        public Vector3d FromWorld(Vector3d v) => v;
 
         public void Advance(in Group bodies, double time) { }
 

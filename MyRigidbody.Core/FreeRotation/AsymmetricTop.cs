@@ -41,7 +41,7 @@ namespace RigidBodyDynamics
 
         public Quaterniond Orientation => _shape.Axes.ToBody(_q);
 
-        public Vector3d AngularVelocity => Orientation.Rotate(_shape.Axes.ToBody(_scale * _w));
+        public Vector3d AngularVelocity => _shape.Axes.ToWorld(_q.Rotate(_scale * _w));
 
         public bool IsFinite => _q.IsFinite && _w.IsFinite;
 
@@ -52,16 +52,25 @@ namespace RigidBodyDynamics
 
         private double A3 => _shape.I3 * _w.Z * _w.Z + _shape.G3 * _w.Y * _w.Y;
 
-        public void Start(MassProperties mass, Quaterniond orientation, Vector3d angularVelocity) =>
+        public void Show(out Quaterniond orientation, out Vector3d angularVelocity)
+        {
+            Quaterniondd q = new Quaterniondd(_q, _qLost);
+            orientation = _shape.Axes.ToBody(q).Rounded;
+            angularVelocity = _shape.Axes.ToWorld(q.Rotate(_scale * new Vector3dd(_w, _wLost)).Rounded);
+        }
+
+        public void Start(MassProperties mass, in Quaterniondd orientation, in Vector3dd angularVelocity) =>
             Start(mass.Shape, orientation, angularVelocity);
 
-        internal void Start(TopShape shape, Quaterniond orientation, Vector3d angularVelocity)
+        internal void Start(TopShape shape, in Quaterniondd orientation, in Vector3dd angularVelocity)
         {
             _shape = shape;
-            _q = _shape.Axes.FromBody(orientation);
-            _w = _shape.Axes.FromBody(orientation.RotateInverse(angularVelocity));
-            _qLost = new Quaterniond(0, 0, 0, 0);
-            _wLost = Vector3d.Zero;
+            Quaterniondd q = _shape.Axes.FromBody(orientation);
+            Vector3dd w = _shape.Axes.FromBody(angularVelocity);
+            _q = q.Rounded;
+            _qLost = q.Lost;
+            _w = w.Rounded;
+            _wLost = w.Lost;
             _scale = 1;
             _preparedFor = double.NaN;
             Invariants(out _energy, out _separation);
@@ -69,7 +78,7 @@ namespace RigidBodyDynamics
 
         public void Kick(in Vector3d world, in Vector3d body)
         {
-            Vector3d j = world.IsZero ? Vector3d.Zero : _q.RotateInverse(world);
+            Vector3d j = world.IsZero ? Vector3d.Zero : _q.RotateInverse(_shape.Axes.FromWorld(world));
             j = body.IsZero ? j : j + _shape.Axes.FromBody(body);
             // w is ω before damping took all but _scale of it; taken into w at every push, one rounded factor would add up
             j = _scale == 1 ? j : 1 / _scale * j;

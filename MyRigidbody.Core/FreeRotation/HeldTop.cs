@@ -11,7 +11,13 @@ namespace RigidBodyDynamics
 
         public bool HasClosedForm => true;
 
-        public void Start(MassProperties mass, Quaterniond orientation, Vector3d angularVelocity) => Orientation = orientation;
+        public void Start(MassProperties mass, in Quaterniondd orientation, in Vector3dd angularVelocity) => Orientation = orientation.Rounded;
+
+        public void Show(out Quaterniond orientation, out Vector3d angularVelocity)
+        {
+            orientation = Orientation;
+            angularVelocity = Vector3d.Zero;
+        }
 
         public void Advance(double time) { }
 

@@ -9,8 +9,11 @@ namespace RigidBodyDynamics
         /// <summary>Takes body axes to world axes.</summary>
         Quaterniond Orientation { get; }
 
-        /// <summary>ω in world axes, rad/s.</summary>
+        /// <summary>ω in world axes, rad/s; for pushes that read it, within a few roundings.</summary>
         Vector3d AngularVelocity { get; }
+
+        /// <summary>Both of them, rounded once.</summary>
+        void Show(out Quaterniond orientation, out Vector3d angularVelocity);
 
         /// <summary>False once a number in it has become infinite or NaN.</summary>
         bool IsFinite { get; }
@@ -18,8 +21,8 @@ namespace RigidBodyDynamics
         /// <summary>True if a turn of any length takes about as long as a short one and is as exact.</summary>
         bool HasClosedForm { get; }
 
-        /// <summary>Takes over a body; ω in world axes.</summary>
-        void Start(MassProperties mass, Quaterniond orientation, Vector3d angularVelocity);
+        /// <summary>Takes over a body; ω in body axes.</summary>
+        void Start(MassProperties mass, in Quaterniondd orientation, in Vector3dd angularVelocity);
 
         /// <summary>Turns freely for a time (s) of any length and sign.</summary>
         void Advance(double time);

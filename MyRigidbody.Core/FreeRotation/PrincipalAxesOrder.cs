@@ -1,13 +1,12 @@
 namespace RigidBodyDynamics
 {
     /// <summary>
-    /// Principal axes in the order a top wants them: cyclic, so that the handedness stays. A component is moved, not
-    /// computed with, so a tiny one beside a large one keeps all its digits.
+    /// Principal axes in the order a top wants them: cyclic, so that the handedness stays. The axes of the world are put in the
+    /// same order, so components are moved and not computed with, and a tiny one beside a large one keeps all its digits.
     /// </summary>
     internal readonly struct PrincipalAxesOrder
     {
-        private readonly Quaterniond _frame;
-        private readonly Quaterniond _cycle;
+        private readonly Quaterniond _frame, _frameLost;
         private readonly int _first;
         private readonly bool _isTurned;
 
@@ -17,41 +16,65 @@ namespace RigidBodyDynamics
         /// <summary>The order in which principal axis number first (0, 1, 2) comes first.</summary>
         public PrincipalAxesOrder(Vector3d principalMoments, Quaterniond frame, int first)
         {
-            _frame = frame.Normalized;
+            Quaterniondd unit = Quaterniondd.Unit(frame);
+            _frame = unit.Rounded;
+            _frameLost = unit.Lost;
             _isTurned = _frame != Quaterniond.Identity;
             _first = first;
-            // a third of a turn about (1, 1, 1) takes x to y, y to z, z to x
-            _cycle = first == 0 ? Quaterniond.Identity : new Quaterniond(0.5, first == 1 ? 0.5 * Ones : -0.5 * Ones);
             Moments = Cycled(principalMoments, first);
         }
 
         /// <summary>The moments in this order, kg m².</summary>
         public Vector3d Moments { get; }
 
-        private static Vector3d Ones => new Vector3d(1, 1, 1);
+        private int Last => _first == 0 ? 0 : 3 - _first;
 
-        /// <summary>Takes principal axes to world axes, from what takes body axes there.</summary>
-        public Quaterniond FromBody(Quaterniond orientation) =>
-            _isTurned ? orientation * _frame * _cycle : _first == 0 ? orientation : orientation * _cycle;
+        private Quaterniondd Frame => new Quaterniondd(_frame, _frameLost);
 
-        /// <summary>Takes body axes to world axes, from what takes principal axes there.</summary>
+        /// <summary>Takes principal axes to the world's, both in this order, from what takes body axes to world axes.</summary>
+        public Quaterniondd FromBody(Quaterniondd orientation)
+        {
+            Quaterniondd turned = _isTurned ? orientation * Frame : orientation;
+            return new Quaterniondd(turned.W, Cycled(turned.Vector, _first));
+        }
+
+        /// <summary>Takes body axes to world axes, from what takes principal axes to the world's, both in this order.</summary>
         public Quaterniond ToBody(Quaterniond orientation)
         {
-            Quaterniond back = _first == 0 ? orientation : orientation * _cycle.Conjugate;
+            Quaterniond back = new Quaterniond(orientation.W, Cycled(orientation.Vector, Last));
             return _isTurned ? back * _frame.Conjugate : back;
+        }
+
+        /// <summary>The same to all digits.</summary>
+        public Quaterniondd ToBody(Quaterniondd orientation)
+        {
+            Quaterniondd back = new Quaterniondd(orientation.W, Cycled(orientation.Vector, Last));
+            return _isTurned ? back * Frame.Conjugate : back;
         }
 
         /// <summary>A vector in body axes, in principal axes.</summary>
         public Vector3d FromBody(Vector3d v) => Cycled(_isTurned ? _frame.RotateInverse(v) : v, _first);
 
+        /// <summary>The same to all digits.</summary>
+        public Vector3dd FromBody(Vector3dd v) => Cycled(_isTurned ? Frame.Conjugate.Rotate(v) : v, _first);
+
         /// <summary>A vector in principal axes, in body axes.</summary>
         public Vector3d ToBody(Vector3d v)
         {
-            Vector3d back = Cycled(v, _first == 0 ? 0 : 3 - _first);
+            Vector3d back = Cycled(v, Last);
             return _isTurned ? _frame.Rotate(back) : back;
         }
 
+        /// <summary>A vector in world axes, in the world's axes in this order.</summary>
+        public Vector3d FromWorld(Vector3d v) => Cycled(v, _first);
+
+        /// <summary>A vector in the world's axes in this order, in world axes.</summary>
+        public Vector3d ToWorld(Vector3d v) => Cycled(v, Last);
+
         private static Vector3d Cycled(Vector3d v, int first) =>
             first == 0 ? v : first == 1 ? new Vector3d(v.Y, v.Z, v.X) : new Vector3d(v.Z, v.X, v.Y);
+
+        private static Vector3dd Cycled(Vector3dd v, int first) =>
+            first == 0 ? v : first == 1 ? new Vector3dd(v.Y, v.Z, v.X) : new Vector3dd(v.Z, v.X, v.Y);
     }
 }

@@ -16,12 +16,18 @@ namespace RigidBodyDynamics
 
         public bool HasClosedForm => true;
 
-        public void Start(MassProperties mass, Quaterniond orientation, Vector3d angularVelocity)
+        public void Show(out Quaterniond orientation, out Vector3d angularVelocity)
+        {
+            orientation = _q;
+            angularVelocity = _w;
+        }
+
+        public void Start(MassProperties mass, in Quaterniondd orientation, in Vector3dd angularVelocity)
         {
             _inverseMoment = mass.InversePrincipalMoments.X;
-            _q = orientation;
-            _qLost = new Quaterniond(0, 0, 0, 0);
-            _w = angularVelocity;
+            _q = orientation.Rounded;
+            _qLost = orientation.Lost;
+            _w = orientation.Rotate(angularVelocity).Rounded;
             _preparedFor = double.NaN;
         }
 

@@ -21,12 +21,19 @@ namespace RigidBodyDynamics
 
         public bool HasClosedForm => false;
 
-        public void Start(MassProperties mass, Quaterniond orientation, Vector3d angularVelocity)
+        public void Show(out Quaterniond orientation, out Vector3d angularVelocity)
+        {
+            Quaterniondd q = new Quaterniondd(_q.W, _q.Vector);
+            orientation = _axes.ToBody(q).Rounded;
+            angularVelocity = q.Rotate(Vector3d.Scale(_inverseMoments, _m)).Rounded;
+        }
+
+        public void Start(MassProperties mass, in Quaterniondd orientation, in Vector3dd angularVelocity)
         {
             _axes = new PrincipalAxesOrder(mass, 0);
             _inverseMoments = mass.InversePrincipalMoments;
-            _q = _axes.FromBody(orientation);
-            _m = Vector3d.Scale(mass.PrincipalMoments, _axes.FromBody(orientation.RotateInverse(angularVelocity)));
+            _q = _axes.FromBody(orientation).Rounded;
+            _m = Vector3d.Scale(mass.PrincipalMoments, _axes.FromBody(angularVelocity).Rounded);
         }
 
         public void Kick(in Vector3d world, in Vector3d body)

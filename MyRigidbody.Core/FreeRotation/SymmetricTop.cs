@@ -15,40 +15,43 @@ namespace RigidBodyDynamics
 
         public Quaterniond Orientation => _axes.ToBody(_q);
 
-        public Vector3d AngularVelocity
-        {
-            get
-            {
-                Vector3d m = _q.RotateInverse(_momentum);
-                return Orientation.Rotate(_axes.ToBody(new Vector3d(m.X / _across, m.Y / _across, _w3)));
-            }
-        }
+        // L/I₁ and what is left along the axis: ω has no other part across it than L
+        public Vector3d AngularVelocity => _axes.ToWorld(1 / _across * _momentum + _q.Rotate(new Vector3d(0, 0, _slip * _w3)));
 
         public bool IsFinite => _q.IsFinite && _momentum.IsFinite && Guard.IsFinite(_w3);
 
         public bool HasClosedForm => true;
 
-        public void Start(MassProperties mass, Quaterniond orientation, Vector3d angularVelocity)
+        public void Show(out Quaterniond orientation, out Vector3d angularVelocity)
+        {
+            Quaterniondd q = new Quaterniondd(_q, _qLost);
+            orientation = _axes.ToBody(q).Rounded;
+            Vector3dd along = q.Rotate(new Vector3dd(0, 0, (DoubleDouble)_slip * _w3)), turn = 1 / (DoubleDouble)_across * (Vector3dd)_momentum;
+            angularVelocity = _axes.ToWorld((turn + along).Rounded);
+        }
+
+        public void Start(MassProperties mass, in Quaterniondd orientation, in Vector3dd angularVelocity)
         {
             Vector3d i = mass.PrincipalMoments;
             _axes = new PrincipalAxesOrder(mass, i.X == i.Y ? 0 : i.Y == i.Z ? 1 : 2);
             _across = _axes.Moments.X;
             _along = _axes.Moments.Z;
             _slip = (_across - _along) / _across;
-            _q = _axes.FromBody(orientation);
-            _qLost = new Quaterniond(0, 0, 0, 0);
-            Vector3d w = _axes.FromBody(orientation.RotateInverse(angularVelocity));
-            _w3 = w.Z;
-            _momentum = _q.Rotate(new Vector3d(_across * w.X, _across * w.Y, _along * w.Z));
+            Quaterniondd q = _axes.FromBody(orientation);
+            Vector3dd w = _axes.FromBody(angularVelocity);
+            _q = q.Rounded;
+            _qLost = q.Lost;
+            _w3 = w.Z.High;
+            _momentum = q.Rotate(Vector3dd.Scale(new Vector3d(_across, _across, _along), w)).Rounded;
             _preparedFor = double.NaN;
         }
 
         public void Kick(in Vector3d world, in Vector3d body)
         {
             // L and w₃ are held apart: each keeps digits that the other has not
-            Vector3d inBody = body.IsZero ? body : _axes.FromBody(body);
-            _w3 += (inBody.Z + (world.IsZero ? 0 : _q.RotateInverse(world).Z)) / _along;
-            _momentum += body.IsZero ? world : world + _q.Rotate(inBody);
+            Vector3d inBody = body.IsZero ? body : _axes.FromBody(body), outside = _axes.FromWorld(world);
+            _w3 += (inBody.Z + (world.IsZero ? 0 : _q.RotateInverse(outside).Z)) / _along;
+            _momentum += body.IsZero ? outside : outside + _q.Rotate(inBody);
             _preparedFor = double.NaN;
         }
 

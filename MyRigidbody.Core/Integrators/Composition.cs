@@ -19,7 +19,14 @@ namespace RigidBodyDynamics
         private Decay _perStep;
         private Drift _whole;
 
-        public BodyState State => new BodyState(Origin(_top.Orientation), _top.Orientation, _v, _top.AngularVelocity);
+        public BodyState State
+        {
+            get
+            {
+                _top.Show(out Quaterniond orientation, out Vector3d angularVelocity);
+                return new BodyState(Origin(orientation), orientation, _v, angularVelocity);
+            }
+        }
 
         public bool IsAsleep => false;
 
@@ -29,15 +36,15 @@ namespace RigidBodyDynamics
 
         public void Start(BodyDescription body)
         {
-            Quaterniond q = body.Start.Orientation.Normalized;
+            Quaterniondd q = Quaterniondd.Unit(body.Start.Orientation);
             _mass = body.Mass;
             _canMove = body.CanMove;
             _isOffCenter = !_mass.CenterOfMass.IsZero;
-            _x = _isOffCenter ? body.Start.Position + q.Rotate(_mass.CenterOfMass) : body.Start.Position;
+            _x = _isOffCenter ? body.Start.Position + q.Rotate(_mass.CenterOfMass).Rounded : body.Start.Position;
             _v = body.Start.Velocity;
             _xLost = _vLost = Vector3d.Zero;
             _top = default(TTop);
-            _top.Start(_mass, q, body.Start.AngularVelocity);
+            _top.Start(_mass, q, body.InBodyAxes);
         }
 
         public void Prepare(double duration, in Coasting coasting)

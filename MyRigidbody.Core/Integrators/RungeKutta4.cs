@@ -15,7 +15,16 @@ namespace RigidBodyDynamics
         private Vector3d _x, _v, _l;
         private Quaterniond _q;
 
-        public BodyState State => At(_x, _v, _q, _l);
+        public BodyState State
+        {
+            get
+            {
+                BodyState state = At(_x, _v, _q, _l);
+                Quaterniondd q = new Quaterniondd(_q.W, _q.Vector);
+                state.AngularVelocity = q.Rotate(Vector3dd.Scale(_inverseMoments, q.Conjugate.Rotate(_l))).Rounded;
+                return state;
+            }
+        }
 
         public bool IsAsleep => false;
 
@@ -32,12 +41,12 @@ namespace RigidBodyDynamics
             _isOffCenter = !_mass.CenterOfMass.IsZero;
             _axes = new PrincipalAxesOrder(_mass, 0);
             _inverseMoments = _mass.InversePrincipalMoments;
-            Quaterniond q = start.Orientation.Normalized;
-            _x = _isOffCenter ? start.Position + q.Rotate(_mass.CenterOfMass) : start.Position;
+            Quaterniondd q = Quaterniondd.Unit(start.Orientation);
+            _x = _isOffCenter ? start.Position + q.Rotate(_mass.CenterOfMass).Rounded : start.Position;
             _v = start.Velocity;
-            _q = _axes.FromBody(q);
-            Vector3d w = _axes.FromBody(q.RotateInverse(start.AngularVelocity));
-            _l = _q.Rotate(Vector3d.Scale(_mass.PrincipalMoments, w));
+            q = _axes.FromBody(q);
+            _q = q.Rounded;
+            _l = q.Rotate(Vector3dd.Scale(_mass.PrincipalMoments, _axes.FromBody(body.InBodyAxes))).Rounded;
         }
 
         public void Prepare(double duration, in Coasting coasting)

@@ -8,6 +8,8 @@ namespace RigidBodyDynamics
         // every stretch of time holds its own sum, so memory goes with the square
         private const int MostEffects = 1000;
         private readonly List<Effect> _effects = new List<Effect>();
+        private BodyState _start = BodyState.AtRest;
+        private Vector3d? _inBody;
 
         /// <summary>A body at rest at the origin, on which nothing acts.</summary>
         /// <param name="name">Unique in its scene.</param>
@@ -28,7 +30,31 @@ namespace RigidBodyDynamics
         public string Integrator { get; set; } = Catalogue.Default.Name;
 
         /// <summary>The state at time zero.</summary>
-        public BodyState Start { get; set; } = BodyState.AtRest;
+        public BodyState Start
+        {
+            get => _start;
+            set
+            {
+                _start = value;
+                _inBody = null;
+            }
+        }
+
+        /// <summary>
+        /// The angular velocity at time zero in body axes, rad/s. Set after <see cref="Start"/>, whose own it replaces: rules that
+        /// hold it in body axes then start with these very numbers, and a tiny component beside a large one keeps its digits.
+        /// </summary>
+        public Vector3d AngularVelocityInBody
+        {
+            get => InBodyAxes.Rounded;
+            set
+            {
+                _start.AngularVelocity = Quaterniondd.Unit(_start.Orientation).Rotate(value).Rounded;
+                _inBody = value;
+            }
+        }
+
+        internal Vector3dd InBodyAxes => _inBody ?? Quaterniondd.Unit(_start.Orientation).Conjugate.Rotate(_start.AngularVelocity);
 
         /// <summary>False for a body that does not translate; it is not charged for it.</summary>
         public bool CanMove { get; set; } = true;
@@ -79,6 +105,7 @@ namespace RigidBodyDynamics
                 Lab = Lab,
                 Unity = Unity.Copy(),
             };
+            copy._inBody = _inBody;
             copy._effects.AddRange(_effects);
             return copy;
         }

@@ -92,7 +92,8 @@ internal sealed class Refinement
             Nudged(s.Position, nudge),
             new Quaterniond(s.Orientation.W * (1 + nudge), Nudged(s.Orientation.Vector, -nudge)),
             Nudged(s.Velocity, nudge),
-            Nudged(s.AngularVelocity, nudge));
+            Vector3d.Zero);
+        body.AngularVelocityInBody = Nudged(_body.AngularVelocityInBody, nudge);
         TimeSteps steps = TimeSteps.Of(lengths);
         Simulation simulation = new Simulation(steps, body);
         BodyState[] states = new BodyState[lengths.Count + 1];

@@ -31,8 +31,8 @@ internal static class SolvedMotion
         Fields fields = root.Fields(), initial = fields.Required("initial").Fields();
         BodyDescription body = new(name, MassProperties.FromPrincipal(fields.Required("mass").Number(), fields.Required("inertia").Vector()));
         Quaterniond turn = initial.Required("quaternion_wxyz").Turn();
-        Vector3d spin = turn.Normalized.Rotate(initial.Required("angular_velocity_body").Vector());
-        body.Start = new BodyState(Vector3d.Zero, turn, Vector3d.Zero, spin);
+        body.Start = new BodyState(Vector3d.Zero, turn, Vector3d.Zero, Vector3d.Zero);
+        body.AngularVelocityInBody = initial.Required("angular_velocity_body").Vector();
         // the rule is measured, not the drag and the limit that Unity puts on top of a motion that has none
         body.Unity = new UnitySettings { AngularDrag = 0, MaxAngularVelocity = double.PositiveInfinity, SleepThreshold = 0 };
         if (fields.Optional("torque") is Place torque)

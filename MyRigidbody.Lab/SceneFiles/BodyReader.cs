@@ -18,7 +18,7 @@ internal static class BodyReader
 
         BodyDescription body = place.Make(() => new BodyDescription(name, mass));
         body.Integrator = row.Name;
-        body.Start = Start(fields);
+        ReadStart(fields, body);
         body.CanMove = fields.Or("canMove", true, flag => flag.Flag());
         body.CanTurn = fields.Or("canTurn", true, flag => flag.Flag());
         bool isLabs = LabIntegrators.Contains(row.Name), isUnitys = row.Name == "UnityRigidbody";
@@ -51,9 +51,9 @@ internal static class BodyReader
         return body;
     }
 
-    private static BodyState Start(Fields fields)
+    private static void ReadStart(Fields fields, BodyDescription body)
     {
-        BodyState start = new(
+        body.Start = new BodyState(
             fields.Or("position", Vector3d.Zero, place => place.Vector()),
             fields.Or("orientation", Quaterniond.Identity, place => place.Turn()),
             fields.Or("velocity", Vector3d.Zero, place => place.Vector()),
@@ -61,7 +61,7 @@ internal static class BodyReader
         Place? inBody = fields.Optional("angularVelocityBody");
         if (inBody == null)
         {
-            return start;
+            return;
         }
 
         if (fields.Optional("angularVelocity") != null)
@@ -69,8 +69,7 @@ internal static class BodyReader
             throw inBody.Value.Wrong("must not stand beside angularVelocity");
         }
 
-        start.AngularVelocity = start.Orientation.Normalized.Rotate(inBody.Value.Vector());
-        return start;
+        body.AngularVelocityInBody = inBody.Value.Vector();
     }
 
     private static LabSettings Lab(Fields fields)

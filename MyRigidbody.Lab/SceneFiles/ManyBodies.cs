@@ -41,7 +41,11 @@ internal sealed record ManyBodies(BodyDescription Body, int Count, Spread Spread
         Batch batch = new(Body, steps);
         for (int i = 0; i < Count; i++)
         {
-            batch.Add(Spread.Of(Body.Start, i));
+            BodyState start = Spread.Of(Body.Start, i);
+            // one that turns as the body in the middle keeps its very numbers in body axes
+            _ = start.Orientation == Body.Start.Orientation && start.AngularVelocity == Body.Start.AngularVelocity
+                ? batch.Add(start, Body.AngularVelocityInBody)
+                : batch.Add(start);
         }
 
         return batch;

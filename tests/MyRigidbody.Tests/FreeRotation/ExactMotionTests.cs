@@ -38,7 +38,7 @@ public sealed class ExactMotionTests
         // moments 1e-8, 1, 1.5: none of a real body, so a scene refuses it; 29 rad a step all the same
         ExactCase solved = ExactCase.Read("extreme");
         AsymmetricTop top = default;
-        top.Start(new TopShape(new Vector3d(1e-8, 1, 1.5), Quaterniond.Identity), Quaterniond.Identity, new Vector3d(100, 0.2, 0.1));
+        top.Start(new TopShape(new Vector3d(1e-8, 1, 1.5), Quaterniond.Identity), Quaterniondd.Unit(Quaterniond.Identity), new Vector3d(100, 0.2, 0.1));
         double worst = 0, floor = 0;
         int done = 0;
         foreach (ExactCase.Sample sample in solved.Samples)

@@ -37,7 +37,8 @@ internal static class SolvedScene
         Quaterniond q = new(Number(turn[0]), Number(turn[1]), Number(turn[2]), Number(turn[3]));
         return new BodyDescription("body", MassProperties.FromPrincipal(Number(inputs.GetProperty("mass")), Vector(inputs, "inertia")))
         {
-            Start = new BodyState(Vector3d.Zero, q, Vector3d.Zero, q.Normalized.Rotate(Vector(initial, "angular_velocity_body"))),
+            Start = new BodyState(Vector3d.Zero, q, Vector3d.Zero, Vector3d.Zero),
+            AngularVelocityInBody = Vector(initial, "angular_velocity_body"),
         };
     }
 

@@ -95,7 +95,7 @@ public sealed class SolvedMotionTests
     {
         ExactCase solved = ExactCase.Read("extreme");
         AsymmetricTop top = default;
-        top.Start(new TopShape(new Vector3d(1e-8, 1, 1.5), Quaterniond.Identity), Quaterniond.Identity, new Vector3d(100, 0.2, 0.1));
+        top.Start(new TopShape(new Vector3d(1e-8, 1, 1.5), Quaterniond.Identity), Quaterniondd.Unit(Quaterniond.Identity), new Vector3d(100, 0.2, 0.1));
         double worst = 0, floor = 0;
         long done = 0;
         foreach (ExactCase.Sample sample in solved.Samples)
