@@ -1,0 +1,153 @@
+using System.Diagnostics;
+using System.Runtime.InteropServices;
+using System.Text;
+
+namespace RigidBodyDynamics.StudentScripts.Children;
+
+/// <summary>The parent's side of a child process: it is watched while it works, and ended when it takes too much.</summary>
+internal sealed class Child : IDisposable
+{
+    private const int MostErrorText = 4000;
+
+    // a child's own heap; what it takes beside that is counted from outside
+    private const string HeapBytes = "0x18000000";
+
+    private readonly Process _process;
+    private readonly DirectoryInfo _folder;
+    private readonly StringBuilder _error = new();
+
+    private Child(Process process, DirectoryInfo folder)
+    {
+        _process = process;
+        _folder = folder;
+        _process.ErrorDataReceived += (_, line) => Note(line.Data);
+        _process.BeginErrorReadLine();
+        Input = new BinaryWriter(_process.StandardInput.BaseStream);
+        Output = new BinaryReader(new BufferedStream(_process.StandardOutput.BaseStream, 1 << 16));
+    }
+
+    public BinaryWriter Input { get; }
+
+    public BinaryReader Output { get; }
+
+    /// <summary>Processor time it has used, s, and memory it holds, bytes; zero when it has ended.</summary>
+    public (double ProcessorTime, long Memory) Use
+    {
+        get
+        {
+            try
+            {
+                _process.Refresh();
+                return (_process.TotalProcessorTime.TotalSeconds, _process.WorkingSet64);
+            }
+            catch (Exception ended) when (ended is InvalidOperationException or System.ComponentModel.Win32Exception)
+            {
+                return (0, 0);
+            }
+        }
+    }
+
+    /// <summary>What it said as it died.</summary>
+    public string LastWords
+    {
+        get
+        {
+            lock (_error)
+                return _error.ToString();
+        }
+    }
+
+    public bool HasExited => _process.HasExited;
+
+    /// <summary>Starts a child and waits until it listens.</summary>
+    /// <exception cref="InvalidOperationException">It does not start.</exception>
+    public static Child Start(string starter)
+    {
+        DirectoryInfo folder = Directory.CreateTempSubdirectory("script-");
+        ProcessStartInfo start = new(Dotnet(), ["exec", typeof(Child).Assembly.Location, Server.Command])
+        {
+            RedirectStandardInput = true,
+            RedirectStandardOutput = true,
+            RedirectStandardError = true,
+            CreateNoWindow = true,
+            WorkingDirectory = folder.FullName,
+        };
+        // no rights that come by the environment, and nothing of the runtime's own left in the folder for temporary files
+        Dictionary<string, string?> kept = new[] { "SystemRoot", "LD_LIBRARY_PATH", "LANG" }.ToDictionary(name => name, Environment.GetEnvironmentVariable);
+        start.Environment.Clear();
+        foreach ((string name, string? value) in kept)
+        {
+            if (value != null)
+                start.Environment[name] = value;
+        }
+
+        foreach (string name in new[] { "TMPDIR", "TEMP", "TMP", "HOME", "USERPROFILE" })
+            start.Environment[name] = folder.FullName;
+
+        start.Environment["DOTNET_GCHeapHardLimit"] = HeapBytes;
+        start.Environment["DOTNET_EnableDiagnostics"] = "0";
+        start.Environment["DOTNET_EnableWriteXorExecute"] = "0";
+        start.Environment["DOTNET_DbgEnableMiniDump"] = "0";
+        start.Environment["DOTNET_TieredPGO"] = "0";
+        Child child = new(Process.Start(start)!, folder);
+        try
+        {
+            child.Input.Write(starter);
+            child.Input.Flush();
+            if (child.Output.ReadInt32() == Pipe.Ready)
+                return child;
+        }
+        catch (IOException)
+        {
+            // it has said why
+        }
+
+        string why = child.LastWords.Split('\n')[0].Trim();
+        child.Dispose();
+        throw new InvalidOperationException("the process for scripts does not start: " + why);
+    }
+
+    /// <summary>Ends it at once; who reads from it finds the end.</summary>
+    public void Kill()
+    {
+        try
+        {
+            _process.Kill(entireProcessTree: true);
+        }
+        catch (Exception ended) when (ended is InvalidOperationException or System.ComponentModel.Win32Exception)
+        {
+            // it has ended by itself
+        }
+    }
+
+    public void Dispose()
+    {
+        Kill();
+        _process.WaitForExit();
+        _process.Dispose();
+        try
+        {
+            _folder.Delete(recursive: true);
+        }
+        catch (IOException)
+        {
+            // somebody looks into it: it is empty, and the system clears such folders
+        }
+    }
+
+    // the runtime of this process knows where its host is, whatever this process was started by
+    private static string Dotnet()
+    {
+        string host = Path.GetFullPath(Path.Combine(RuntimeEnvironment.GetRuntimeDirectory(), "../../..", OperatingSystem.IsWindows() ? "dotnet.exe" : "dotnet"));
+        return File.Exists(host) ? host : "dotnet";
+    }
+
+    private void Note(string? line)
+    {
+        lock (_error)
+        {
+            if (line != null && _error.Length < MostErrorText)
+                _error.AppendLine(line);
+        }
+    }
+}

@@ -1,0 +1,31 @@
+using System.Runtime.InteropServices;
+
+namespace RigidBodyDynamics.StudentScripts.Children;
+
+/// <summary>What a child gives up before it looks at a script: where the system knows such limits, it can write no file.</summary>
+internal static partial class Rights
+{
+    // the same numbers on Linux and macOS
+    private const int FileSize = 1, Core = 4;
+
+    public static void GiveUp()
+    {
+        if (OperatingSystem.IsLinux() || OperatingSystem.IsMacOS())
+        {
+            Set(FileSize);
+            Set(Core);
+        }
+    }
+
+    // no more than zero bytes, and nobody can raise it again
+    private static void Set(int resource) => _ = SetLimit(resource, default);
+
+    [LibraryImport("libc", EntryPoint = "setrlimit")]
+    private static partial int SetLimit(int resource, in Limit limit);
+
+    [StructLayout(LayoutKind.Sequential)]
+    private readonly struct Limit
+    {
+        private readonly ulong _now, _most;
+    }
+}

@@ -1,0 +1,76 @@
+using RigidBodyDynamics.StudentScripts.Comments;
+using RigidBodyDynamics.StudentScripts.Compilation;
+using RigidBodyDynamics.StudentScripts.Running;
+
+namespace RigidBodyDynamics.StudentScripts.Children;
+
+/// <summary>The child's side: submissions come in by standard input, and what was seen goes out by standard output.</summary>
+internal static class Server
+{
+    /// <summary>The word with which a process becomes a child.</summary>
+    public const string Command = "serve";
+
+    // compilers go deep into nested expressions
+    private const int StackBytes = 64 << 20;
+
+    /// <summary>Serves until standard input ends; then it ends at once, whatever a script is doing.</summary>
+    public static int Run()
+    {
+        using BinaryReader input = new(Console.OpenStandardInput());
+        using BinaryWriter output = new(new BufferedStream(Console.OpenStandardOutput(), 1 << 16));
+        // what scripts write goes nowhere
+        Console.SetOut(TextWriter.Null);
+        Console.SetIn(TextReader.Null);
+        Rights.GiveUp();
+        try
+        {
+            output.Write(Pipe.Ready);
+            output.Flush();
+            Coverage coverage = new(input.ReadString() is { Length: > 0 } starter ? starter : null);
+            while (true)
+            {
+                IReadOnlyList<ScriptFile> files = Pipe.ReadFiles(input);
+                // whoever sends waits for the answer before the next; if it goes away meanwhile, the read ends, and so does all this
+                new Thread(() => Serve(files, coverage, output), StackBytes) { IsBackground = true }.Start();
+            }
+        }
+        catch (EndOfStreamException)
+        {
+            return 0;
+        }
+    }
+
+    private static void Serve(IReadOnlyList<ScriptFile> files, Coverage coverage, BinaryWriter output)
+    {
+        (Sources? sources, string? tooLarge) = Sources.Read(files);
+        if (sources?.Script == null)
+        {
+            Look.WithoutScript(tooLarge != null ? Words.TooLarge(tooLarge) : Words.NoScript()).Write(output);
+            output.Flush();
+            return;
+        }
+
+        CompiledScript compiled = ScriptCompiler.Compile(sources);
+        Look look = Look.At(sources, compiled, coverage);
+        look.Write(output);
+        // it may be the last that is heard of this process
+        output.Flush();
+        if (look.Refusals.Count > 0)
+            return;
+
+        RunOutcome outcome = Execution.Run(compiled);
+        output.Write(outcome.Recording != null);
+        if (outcome.Recording == null)
+        {
+            Pipe.Write(output, outcome.Stopped!);
+        }
+        else
+        {
+            using MemoryStream recording = new();
+            outcome.Recording.WriteTo(recording);
+            Pipe.Write(output, recording.ToArray());
+        }
+
+        output.Flush();
+    }
+}

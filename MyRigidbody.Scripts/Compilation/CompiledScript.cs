@@ -1,0 +1,17 @@
+using RigidBodyDynamics.Judging;
+
+namespace RigidBodyDynamics.StudentScripts.Compilation;
+
+/// <summary>A script that was looked at.</summary>
+/// <param name="Sources">Where it comes from.</param>
+/// <param name="Refusals">Why it is not run; empty where it may be.</param>
+/// <param name="Notes">What else is to be said of it.</param>
+/// <param name="Assembly">What is run.</param>
+/// <param name="DebugSymbols">From its code to the lines.</param>
+internal sealed record CompiledScript(Sources Sources, IReadOnlyList<Finding> Refusals, IReadOnlyList<Finding> Notes, byte[]? Assembly, byte[]? DebugSymbols)
+{
+    public string ClassName => Sources.Script!.Identifier.ValueText;
+
+    /// <summary>Variables that are not each object's own: the assembly is loaded anew for every object.</summary>
+    public bool HasStatics => Assembly != null && Sources.Trees.Any(Statics.AreIn);
+}

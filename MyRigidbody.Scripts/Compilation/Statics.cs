@@ -1,0 +1,12 @@
+using Microsoft.CodeAnalysis;
+using Microsoft.CodeAnalysis.CSharp;
+using Microsoft.CodeAnalysis.CSharp.Syntax;
+
+namespace RigidBodyDynamics.StudentScripts.Compilation;
+
+/// <summary>What outlives an object of the script.</summary>
+internal static class Statics
+{
+    public static bool AreIn(SyntaxTree tree) => tree.GetRoot().DescendantNodes().OfType<MemberDeclarationSyntax>().Any(member =>
+        member is FieldDeclarationSyntax or PropertyDeclarationSyntax or EventFieldDeclarationSyntax or ConstructorDeclarationSyntax && member.Modifiers.Any(SyntaxKind.StaticKeyword));
+}

@@ -1,0 +1,141 @@
+using Microsoft.CodeAnalysis;
+using Microsoft.CodeAnalysis.CSharp;
+using Microsoft.CodeAnalysis.CSharp.Syntax;
+
+namespace RigidBodyDynamics.StudentScripts.Metering;
+
+/// <summary>
+/// Puts a tick of the meter into every loop, body and catch block and before every goto. Nothing moves to another line, so what is
+/// said of a line stays true.
+/// </summary>
+internal sealed class MeterRewriter(SemanticModel model) : CSharpSyntaxRewriter
+{
+    private static readonly StatementSyntax Tick =
+        SyntaxFactory.ParseStatement("global::RigidBodyDynamics.StudentScripts.Metering.Meter.Tick();");
+
+    public override SyntaxNode? VisitForStatement(ForStatementSyntax node) =>
+        ((ForStatementSyntax)base.VisitForStatement(node)!) is var n ? n.WithStatement(Ticking(n.Statement)) : null;
+
+    public override SyntaxNode? VisitForEachStatement(ForEachStatementSyntax node) =>
+        ((ForEachStatementSyntax)base.VisitForEachStatement(node)!) is var n ? n.WithStatement(Ticking(n.Statement)) : null;
+
+    public override SyntaxNode? VisitForEachVariableStatement(ForEachVariableStatementSyntax node) =>
+        ((ForEachVariableStatementSyntax)base.VisitForEachVariableStatement(node)!) is var n ? n.WithStatement(Ticking(n.Statement)) : null;
+
+    public override SyntaxNode? VisitWhileStatement(WhileStatementSyntax node) =>
+        ((WhileStatementSyntax)base.VisitWhileStatement(node)!) is var n ? n.WithStatement(Ticking(n.Statement)) : null;
+
+    public override SyntaxNode? VisitDoStatement(DoStatementSyntax node) =>
+        ((DoStatementSyntax)base.VisitDoStatement(node)!) is var n ? n.WithStatement(Ticking(n.Statement)) : null;
+
+    public override SyntaxNode? VisitGotoStatement(GotoStatementSyntax node) =>
+        SyntaxFactory.Block(Tick, ((GotoStatementSyntax)base.VisitGotoStatement(node)!).WithoutTrivia()).WithTriviaFrom(node);
+
+    public override SyntaxNode? VisitCatchClause(CatchClauseSyntax node) =>
+        ((CatchClauseSyntax)base.VisitCatchClause(node)!) is var n ? n.WithBlock((BlockSyntax)Ticking(n.Block)) : null;
+
+    public override SyntaxNode? VisitFinallyClause(FinallyClauseSyntax node) =>
+        ((FinallyClauseSyntax)base.VisitFinallyClause(node)!) is var n ? n.WithBlock((BlockSyntax)Ticking(n.Block)) : null;
+
+    public override SyntaxNode? VisitMethodDeclaration(MethodDeclarationSyntax node)
+    {
+        MethodDeclarationSyntax n = (MethodDeclarationSyntax)base.VisitMethodDeclaration(node)!;
+        return n.Body != null ? n.WithBody((BlockSyntax)Ticking(n.Body))
+            : n.ExpressionBody is { } arrow ? n.WithExpressionBody(null).WithSemicolonToken(default).WithBody(Body(arrow, node, IsVoid(node)))
+            : n;
+    }
+
+    public override SyntaxNode? VisitLocalFunctionStatement(LocalFunctionStatementSyntax node)
+    {
+        LocalFunctionStatementSyntax n = (LocalFunctionStatementSyntax)base.VisitLocalFunctionStatement(node)!;
+        return n.Body != null ? n.WithBody((BlockSyntax)Ticking(n.Body))
+            : n.ExpressionBody is { } arrow ? n.WithExpressionBody(null).WithSemicolonToken(default).WithBody(Body(arrow, node, IsVoid(node)))
+            : n;
+    }
+
+    public override SyntaxNode? VisitConstructorDeclaration(ConstructorDeclarationSyntax node)
+    {
+        ConstructorDeclarationSyntax n = (ConstructorDeclarationSyntax)base.VisitConstructorDeclaration(node)!;
+        return n.Body != null ? n.WithBody((BlockSyntax)Ticking(n.Body))
+            : n.ExpressionBody is { } arrow ? n.WithExpressionBody(null).WithSemicolonToken(default).WithBody(Body(arrow, node, isVoid: true))
+            : n;
+    }
+
+    public override SyntaxNode? VisitOperatorDeclaration(OperatorDeclarationSyntax node)
+    {
+        OperatorDeclarationSyntax n = (OperatorDeclarationSyntax)base.VisitOperatorDeclaration(node)!;
+        return n.Body != null ? n.WithBody((BlockSyntax)Ticking(n.Body))
+            : n.ExpressionBody is { } arrow ? n.WithExpressionBody(null).WithSemicolonToken(default).WithBody(Body(arrow, node, isVoid: false))
+            : n;
+    }
+
+    public override SyntaxNode? VisitConversionOperatorDeclaration(ConversionOperatorDeclarationSyntax node)
+    {
+        ConversionOperatorDeclarationSyntax n = (ConversionOperatorDeclarationSyntax)base.VisitConversionOperatorDeclaration(node)!;
+        return n.Body != null ? n.WithBody((BlockSyntax)Ticking(n.Body))
+            : n.ExpressionBody is { } arrow ? n.WithExpressionBody(null).WithSemicolonToken(default).WithBody(Body(arrow, node, isVoid: false))
+            : n;
+    }
+
+    public override SyntaxNode? VisitAccessorDeclaration(AccessorDeclarationSyntax node)
+    {
+        AccessorDeclarationSyntax n = (AccessorDeclarationSyntax)base.VisitAccessorDeclaration(node)!;
+        return n.Body != null ? n.WithBody((BlockSyntax)Ticking(n.Body))
+            : n.ExpressionBody is { } arrow ? n.WithExpressionBody(null).WithSemicolonToken(default).WithBody(Body(arrow, node, !node.IsKind(SyntaxKind.GetAccessorDeclaration)))
+            : n;
+    }
+
+    public override SyntaxNode? VisitPropertyDeclaration(PropertyDeclarationSyntax node)
+    {
+        PropertyDeclarationSyntax n = (PropertyDeclarationSyntax)base.VisitPropertyDeclaration(node)!;
+        return n.ExpressionBody is { } arrow ? n.WithExpressionBody(null).WithSemicolonToken(default).WithAccessorList(Getter(arrow, node)) : n;
+    }
+
+    public override SyntaxNode? VisitIndexerDeclaration(IndexerDeclarationSyntax node)
+    {
+        IndexerDeclarationSyntax n = (IndexerDeclarationSyntax)base.VisitIndexerDeclaration(node)!;
+        return n.ExpressionBody is { } arrow ? n.WithExpressionBody(null).WithSemicolonToken(default).WithAccessorList(Getter(arrow, node)) : n;
+    }
+
+    public override SyntaxNode? VisitParenthesizedLambdaExpression(ParenthesizedLambdaExpressionSyntax node)
+    {
+        ParenthesizedLambdaExpressionSyntax n = (ParenthesizedLambdaExpressionSyntax)base.VisitParenthesizedLambdaExpression(node)!;
+        return n.Block != null ? n.WithBlock((BlockSyntax)Ticking(n.Block)) : n.WithExpressionBody(null).WithBlock(Body(n.ExpressionBody!, node));
+    }
+
+    public override SyntaxNode? VisitSimpleLambdaExpression(SimpleLambdaExpressionSyntax node)
+    {
+        SimpleLambdaExpressionSyntax n = (SimpleLambdaExpressionSyntax)base.VisitSimpleLambdaExpression(node)!;
+        return n.Block != null ? n.WithBlock((BlockSyntax)Ticking(n.Block)) : n.WithExpressionBody(null).WithBlock(Body(n.ExpressionBody!, node));
+    }
+
+    public override SyntaxNode? VisitAnonymousMethodExpression(AnonymousMethodExpressionSyntax node) =>
+        ((AnonymousMethodExpressionSyntax)base.VisitAnonymousMethodExpression(node)!) is var n ? n.WithBlock((BlockSyntax)Ticking(n.Block)) : null;
+
+    // a body that is one statement, or none, becomes a block on the same lines
+    private static StatementSyntax Ticking(StatementSyntax body) => body is BlockSyntax block
+        ? block.WithStatements(block.Statements.Insert(0, Tick))
+        : SyntaxFactory.Block(Tick, body);
+
+    private bool IsVoid(SyntaxNode method) => model.GetDeclaredSymbol(method) is IMethodSymbol { ReturnsVoid: true };
+
+    private AccessorListSyntax Getter(ArrowExpressionClauseSyntax arrow, SyntaxNode of) => SyntaxFactory.AccessorList(SyntaxFactory.SingletonList(
+        SyntaxFactory.AccessorDeclaration(SyntaxKind.GetAccessorDeclaration, Body(arrow, of, isVoid: false))));
+
+    private static BlockSyntax Body(ArrowExpressionClauseSyntax arrow, SyntaxNode of, bool isVoid) =>
+        Body(arrow.Expression, isVoid, arrow.ArrowToken).WithTrailingTrivia(of.GetTrailingTrivia());
+
+    private BlockSyntax Body(ExpressionSyntax expression, LambdaExpressionSyntax of) =>
+        Body(expression, model.GetSymbolInfo(of).Symbol is IMethodSymbol { ReturnsVoid: true }, default);
+
+    private static BlockSyntax Body(ExpressionSyntax expression, bool isVoid, SyntaxToken arrow)
+    {
+        // what stood between the arrow and the expression may hold line breaks: it is kept
+        expression = expression.WithLeadingTrivia(arrow.LeadingTrivia.AddRange(arrow.TrailingTrivia).AddRange(expression.GetLeadingTrivia()));
+        StatementSyntax statement =
+            expression is ThrowExpressionSyntax thrown ? SyntaxFactory.ThrowStatement(thrown.Expression)
+            : isVoid ? SyntaxFactory.ExpressionStatement(expression)
+            : SyntaxFactory.ReturnStatement(expression).WithReturnKeyword(SyntaxFactory.Token(SyntaxKind.ReturnKeyword).WithTrailingTrivia(SyntaxFactory.Space));
+        return SyntaxFactory.Block(Tick, statement);
+    }
+}

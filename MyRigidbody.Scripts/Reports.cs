@@ -1,0 +1,25 @@
+using RigidBodyDynamics.Judging;
+using RigidBodyDynamics.StudentScripts.Children;
+using RigidBodyDynamics.StudentScripts.Comments;
+
+namespace RigidBodyDynamics.StudentScripts;
+
+/// <summary>From what the child has reported to what is said of a submission.</summary>
+internal static class Reports
+{
+    public static ScriptReport Refused(Look? look, IReadOnlyList<ScriptFile> files, IReadOnlyList<Finding> why) =>
+        Report(look, files, Verdict.Refused([.. why, .. look?.Notes ?? []]), null);
+
+    public static ScriptReport Judged(Look look, IReadOnlyList<ScriptFile> files, Recording recording)
+    {
+        StepLines lines = new(look.Assignments);
+        Verdict verdict = Judge.Decide(recording).Each(finding => finding.Line == null && lines.Of(finding.Step) is { } line ? finding.At(line) : finding);
+        return Report(look, files, look.Notes.Aggregate(verdict, (sum, note) => sum.With(note)), recording);
+    }
+
+    private static ScriptReport Report(Look? look, IReadOnlyList<ScriptFile> files, Verdict verdict, Recording? recording)
+    {
+        ScriptFile? file = files.FirstOrDefault(known => known.Name == look?.File) ?? (files.Count == 1 ? files[0] : null);
+        return new ScriptReport(verdict, look?.Comments ?? CommentCoverage.None, file?.Name, file == null ? string.Empty : SourceText.Decode(file.Bytes).Text, recording);
+    }
+}

@@ -1,0 +1,101 @@
+using System.Diagnostics;
+using Microsoft.CodeAnalysis;
+using Microsoft.CodeAnalysis.CSharp.Syntax;
+using RigidBodyDynamics.Judging;
+using RigidBodyDynamics.StudentScripts.Compilation;
+using RigidBodyDynamics.StudentScripts.Metering;
+
+namespace RigidBodyDynamics.StudentScripts.Running;
+
+/// <summary>Runs a script through the judge's experiments, on a thread of its own.</summary>
+internal static class Execution
+{
+    private const int StackBytes = 1 << 20;
+
+    static Execution() => AppDomain.CurrentDomain.FirstChanceException += (_, thrown) =>
+    {
+        // a script that catches these goes on as if nothing had been; the meter does not
+        if (thrown.Exception is OutOfMemoryException)
+            Meter.Stop(Stopped.Memory);
+        else if (thrown.Exception is InsufficientExecutionStackException)
+            Meter.Stop(Stopped.Recursion);
+    };
+
+    public static RunOutcome Run(CompiledScript compiled)
+    {
+        RunOutcome? outcome = null;
+        Thread thread = new(() => outcome = Record(compiled), StackBytes);
+        thread.Start();
+        thread.Join();
+        return outcome!;
+    }
+
+    private static RunOutcome Record(CompiledScript compiled)
+    {
+        Meter.Reset();
+        using StandIn laboratory = new(compiled);
+        try
+        {
+            return new RunOutcome(Experiments.Record(laboratory), null);
+        }
+        catch (ScriptException thrown)
+        {
+            return new RunOutcome(null, Thrown(thrown.InnerException!, laboratory, compiled));
+        }
+        catch (Exception stopped) when (stopped is StoppedException or OutOfMemoryException or InsufficientExecutionStackException)
+        {
+            return new RunOutcome(null, WasStopped(laboratory, compiled));
+        }
+    }
+
+    private static Finding WasStopped(StandIn laboratory, CompiledScript compiled)
+    {
+        int? line = Meter.Line > 0 ? Meter.Line : null;
+        string code = Meter.Reason switch
+        {
+            Stopped.Recursion => "endless-recursion",
+            Stopped.Memory => "memory",
+            _ => IsInLoopThatCatches(line, compiled) ? "endless-loop-that-catches" : "endless-loop",
+        };
+        return Place(Words.Stopped(code, code == "memory" ? compiled.ClassName : laboratory.Message), line, laboratory);
+    }
+
+    private static Finding Thrown(Exception thrown, StandIn laboratory, CompiledScript compiled)
+    {
+        int? line = Line(thrown);
+        string[] lines = compiled.Sources.Script!.SyntaxTree.ToString().Split('\n');
+        bool isRigidbody = thrown is NullReferenceException && line is { } at && at <= lines.Length && lines[at - 1].Contains("Rigidbody", StringComparison.Ordinal);
+        return Place(Words.Throws(isRigidbody ? "no-rigidbody" : "throws", laboratory.Message, thrown.GetType().Name + ": " + FirstLine(thrown.Message)), line, laboratory);
+    }
+
+    private static Finding Place(Finding finding, int? line, StandIn laboratory)
+    {
+        Finding placed = laboratory.FramesDone > 0 ? finding.From(string.Empty, laboratory.FramesDone) : finding;
+        return line is { } known ? placed.At(known) : placed;
+    }
+
+    // the innermost line of the script
+    private static int? Line(Exception thrown) => new StackTrace(thrown, fNeedFileInfo: true).GetFrames()
+        .Where(frame => frame.GetFileLineNumber() > 0 && frame.GetMethod()?.DeclaringType?.Assembly.IsCollectible == true)
+        .Select(frame => (int?)frame.GetFileLineNumber())
+        .FirstOrDefault();
+
+    private static bool IsInLoopThatCatches(int? line, CompiledScript compiled)
+    {
+        if (line == null)
+            return false;
+
+        SyntaxTree tree = compiled.Sources.Script!.SyntaxTree;
+        return tree.GetRoot().DescendantNodes().OfType<StatementSyntax>()
+            .Where(statement => statement is WhileStatementSyntax or DoStatementSyntax or ForStatementSyntax)
+            .Any(loop => loop.DescendantNodes().OfType<CatchClauseSyntax>().Any() && Spans(loop, line.Value));
+    }
+
+    private static bool Spans(SyntaxNode node, int line)
+    {
+        FileLinePositionSpan span = node.GetLocation().GetLineSpan();
+        return span.StartLinePosition.Line < line && line <= span.EndLinePosition.Line + 1;
+    }
+
+    private static string FirstLine(string message) => message.Split('\n')[0].TrimEnd('\r', '.');
+}

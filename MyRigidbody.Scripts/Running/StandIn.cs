@@ -1,0 +1,173 @@
+using System.Reflection;
+using System.Runtime.Loader;
+using RigidBodyDynamics.Engine;
+using RigidBodyDynamics.Judging;
+using RigidBodyDynamics.StudentScripts.Compilation;
+using RigidBodyDynamics.StudentScripts.Metering;
+using UnityEngine;
+using EngineKeys = RigidBodyDynamics.Engine.Keys;
+using SheetKeys = RigidBodyDynamics.Judging.Keys;
+
+namespace RigidBodyDynamics.StudentScripts.Running;
+
+/// <summary>The stand-in for the engine with one script on one object, as the judge drives it.</summary>
+internal sealed class StandIn(CompiledScript compiled) : ILaboratory, IDisposable
+{
+    private const long MostBytes = 150_000_000;
+
+    private static readonly (SheetKeys Held, KeyCode Code)[] FiveKeys =
+    [
+        (SheetKeys.LeftArrow, KeyCode.LeftArrow), (SheetKeys.RightArrow, KeyCode.RightArrow), (SheetKeys.UpArrow, KeyCode.UpArrow),
+        (SheetKeys.DownArrow, KeyCode.DownArrow), (SheetKeys.R, KeyCode.R),
+    ];
+
+    private readonly long _bytesAtStart = GC.GetTotalMemory(forceFullCollection: true);
+    private AssemblyLoadContext? _context;
+    private Type? _type;
+    private MonoBehaviour? _script;
+
+    /// <summary>The message that is being sent, for what is said of a script that fails in it.</summary>
+    public string Message { get; private set; } = "Start";
+
+    /// <summary>Frames since the present object began.</summary>
+    public int FramesDone { get; private set; }
+
+    public Pose Pose
+    {
+        get
+        {
+            Vector3 position = _script!.transform.position;
+            UnityEngine.Quaternion turn = _script.transform.rotation;
+            return new Pose(new Vector(position.x, position.y, position.z), new Orientation(turn.x, turn.y, turn.z, turn.w));
+        }
+
+        set
+        {
+            _script!.transform.position = new Vector3((float)value.Position.X, (float)value.Position.Y, (float)value.Position.Z);
+            _script.transform.rotation = new UnityEngine.Quaternion((float)value.Orientation.X, (float)value.Orientation.Y, (float)value.Orientation.Z, (float)value.Orientation.W);
+        }
+    }
+
+    public Action<SheetKeys> KeyAsked
+    {
+        set => EngineKeys.Asked = value == null ? null : code =>
+        {
+            foreach ((SheetKeys held, KeyCode key) in FiveKeys)
+            {
+                if (key == code)
+                    value(held);
+            }
+        };
+    }
+
+    public object Begin(Setting setting)
+    {
+        World.Begin(isPlaying: true);
+        Messages.ExceptionsPass = true;
+        Clock.Set(0, FrameInput.FixedDelta, FrameInput.FixedDelta, 0, isInFixedStep: false);
+        GameObject box = GameObject.CreatePrimitive(PrimitiveType.Cube);
+        box.GetComponent<MeshFilter>().sharedMesh.vertices = [.. setting.Vertices.Select(v => new Vector3((float)v.X, (float)v.Y, (float)v.Z))];
+        box.transform.localScale = new Vector3((float)setting.Scale.X, (float)setting.Scale.Y, (float)setting.Scale.Z);
+        Type type = Load();
+        foreach (RequireComponent required in type.GetCustomAttributes<RequireComponent>())
+            box.AddComponent(required.m_Type0);
+
+        FramesDone = 0;
+        Message = compiled.ClassName;
+        Guarded(() => _script = (MonoBehaviour)box.Attach(type));
+        Pose = setting.Pose;
+        return _script!;
+    }
+
+    public void Start()
+    {
+        Message = "Start";
+        Guarded(() =>
+        {
+            _script!.Settle();
+            StartWhatIsDue();
+        });
+    }
+
+    public void Frame(FrameInput input)
+    {
+        foreach ((SheetKeys held, KeyCode key) in FiveKeys)
+            EngineKeys.Hold(key, input.Held.HasFlag(held));
+
+        Clock.Set(input.Time, FrameInput.FixedDelta, FrameInput.FixedDelta, input.Number, isInFixedStep: true);
+        Send("FixedUpdate");
+        Clock.Set(input.Time, input.Delta, FrameInput.FixedDelta, input.Number, isInFixedStep: false);
+        Send("Update");
+        Send("LateUpdate");
+        EngineKeys.EndFrame();
+        FramesDone++;
+        // memory that is held, and not what a collection would free
+        if (GC.GetTotalMemory(forceFullCollection: false) - _bytesAtStart > MostBytes && GC.GetTotalMemory(forceFullCollection: true) - _bytesAtStart > MostBytes)
+            Meter.Stop(Stopped.Memory);
+
+        Meter.MustNotBeStopped();
+    }
+
+    public void Dispose()
+    {
+        World.Begin(isPlaying: true);
+        _script = null;
+        _type = null;
+        _context?.Unload();
+    }
+
+    private void Send(string message)
+    {
+        Message = message;
+        Guarded(() =>
+        {
+            StartWhatIsDue();
+            foreach (MonoBehaviour script in World.Scripts.ToArray())
+            {
+                if (script && script.isActiveAndEnabled)
+                    Messages.Send(script, message);
+            }
+        });
+    }
+
+    private static void StartWhatIsDue()
+    {
+        foreach (MonoBehaviour script in World.Scripts.ToArray())
+            script.StartIfDue();
+    }
+
+    // what the script throws comes out as one kind of exception, and what stopped it comes first
+    private static void Guarded(Action call)
+    {
+        Meter.BeginMessage();
+        try
+        {
+            call();
+        }
+        catch (Exception thrown)
+        {
+            Meter.MustNotBeStopped();
+            while (thrown is TargetInvocationException or TypeInitializationException && thrown.InnerException is { } inner)
+                thrown = inner;
+
+            throw new ScriptException(thrown);
+        }
+
+        Meter.MustNotBeStopped();
+    }
+
+    // every object of a script with statics finds them as the game begins with them
+    private Type Load()
+    {
+        if (_type != null && !compiled.HasStatics)
+            return _type;
+
+        _context?.Unload();
+        _context = new AssemblyLoadContext("script", isCollectible: true);
+        Assembly assembly = _context.LoadFromStream(new MemoryStream(compiled.Assembly!), new MemoryStream(compiled.DebugSymbols!));
+        return _type = assembly.GetTypes().First(type => type.Name == compiled.ClassName && typeof(MonoBehaviour).IsAssignableFrom(type));
+    }
+}
+
+/// <summary>The script has thrown.</summary>
+internal sealed class ScriptException(Exception thrown) : Exception(thrown.Message, thrown);

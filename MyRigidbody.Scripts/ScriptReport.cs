@@ -1,0 +1,21 @@
+using RigidBodyDynamics.Judging;
+
+namespace RigidBodyDynamics.StudentScripts;
+
+/// <summary>What is said of one submission.</summary>
+/// <param name="Verdict">The marks and the findings, those about the code and the name too.</param>
+/// <param name="Comments">How much of what was added has a comment.</param>
+/// <param name="File">The file that was judged; null where no script was found.</param>
+/// <param name="Text">Its text; empty where there is none.</param>
+/// <param name="Recording">What was seen of it; null where it was not run to its end.</param>
+public sealed record ScriptReport(Verdict Verdict, CommentCoverage Comments, string? File, string Text, Recording? Recording);
+
+/// <summary>Statements that were added to the starter, and how many of them have a comment.</summary>
+/// <param name="Statements">Statements added or changed.</param>
+/// <param name="Commented">Those with words of a comment on their line or above it.</param>
+/// <param name="Bare">The lines of the others, from 1.</param>
+public sealed record CommentCoverage(int Statements, int Commented, IReadOnlyList<int> Bare)
+{
+    /// <summary>Of a script that could not be read.</summary>
+    public static CommentCoverage None { get; } = new(0, 0, []);
+}

@@ -1,0 +1,91 @@
+using RigidBodyDynamics.Judging;
+using RigidBodyDynamics.StudentScripts.Children;
+
+namespace RigidBodyDynamics.StudentScripts;
+
+/// <summary>
+/// Compiles and runs scripts of students in a child process, which may die, and judges here what it reports. One thread at a time;
+/// make one for each core. What one script does to its child no other script sees: a child that was abused is replaced.
+/// </summary>
+public sealed class ScriptRunner : IDisposable
+{
+    // by then any script has long been stopped by the meter; what is left is what the meter cannot see
+    private const double MostProcessorTime = 20, MostTime = 120;
+
+    private const long MostMemory = 1_200_000_000;
+
+    private const int ScriptsPerChild = 200;
+
+    private readonly string _starter;
+    private Child? _child;
+    private int _served;
+
+    /// <summary>The starter that comments are counted against where none is given.</summary>
+    public static string SheetStarter => Comments.Coverage.Sheets();
+
+    /// <param name="starter">The text of the starter, for the count of comments; null for the sheet's.</param>
+    public ScriptRunner(string? starter = null) => _starter = starter ?? string.Empty;
+
+    /// <summary>Starts the child before it is needed.</summary>
+    public void WarmUp() => _child ??= Child.Start(_starter);
+
+    /// <summary>Judges one submission. Nothing that a script does is thrown here.</summary>
+    /// <param name="files">Its source files.</param>
+    /// <param name="stop">Ends the child and throws.</param>
+    public ScriptReport Run(IReadOnlyList<ScriptFile> files, CancellationToken stop = default)
+    {
+        if (_served >= ScriptsPerChild || _child?.HasExited == true)
+            Replace();
+
+        bool isFresh = _child == null;
+        Attempt first = Try(files, stop);
+        // whoever came before may be to blame: the child's death counts only if a new one dies of it too
+        return first.Died && !isFresh ? Try(files, stop).Report : first.Report;
+    }
+
+    public void Dispose() => Replace();
+
+    private Attempt Try(IReadOnlyList<ScriptFile> files, CancellationToken stop)
+    {
+        WarmUp();
+        _served++;
+        using Watch watch = new(_child!, MostProcessorTime, MostTime, MostMemory, stop);
+        Look? look = null;
+        try
+        {
+            Pipe.Write(_child!.Input, files);
+            look = Look.Read(_child.Output);
+            if (look.Refusals.Count > 0)
+                return new Attempt(Reports.Refused(look, files, look.Refusals), false);
+
+            if (_child.Output.ReadBoolean())
+                return new Attempt(Reports.Judged(look, files, Recording.ReadFrom(new MemoryStream(Pipe.ReadBytes(_child.Output)))), false);
+
+            Finding stopped = Pipe.ReadFinding(_child.Output);
+            if (stopped.Code == "memory")
+                Replace();
+
+            return new Attempt(Reports.Refused(look, files, [stopped]), false);
+        }
+        catch (Exception broken) when (broken is IOException or InvalidDataException or FormatException or ArgumentException or NotSupportedException)
+        {
+            stop.ThrowIfCancellationRequested();
+            // its last words may come after its end
+            Child dead = _child!;
+            _child = null;
+            dead.Dispose();
+            string code = watch.Why ?? Deaths.Code(dead.LastWords);
+            Finding died = Words.Stopped(code, code == "ended" ? dead.LastWords.Split('\n')[0].Trim() : look == null ? Compilation.Sources.ClassName : "Update");
+            return new Attempt(Reports.Refused(look, files, [died]), true);
+        }
+    }
+
+    private void Replace()
+    {
+        _child?.Dispose();
+        _child = null;
+        _served = 0;
+    }
+
+    private sealed record Attempt(ScriptReport Report, bool Died);
+}
