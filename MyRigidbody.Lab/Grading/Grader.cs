@@ -1,0 +1,84 @@
+using System.Runtime.ExceptionServices;
+using RigidBodyDynamics.Lab.Grading.Export;
+using RigidBodyDynamics.Lab.Grading.Judging;
+using RigidBodyDynamics.Lab.Grading.Marks;
+using RigidBodyDynamics.Lab.Grading.Pages;
+using RigidBodyDynamics.Lab.Grading.Reading;
+using RigidBodyDynamics.Lab.Grading.Students;
+using RigidBodyDynamics.Lab.Output;
+
+namespace RigidBodyDynamics.Lab.Grading;
+
+/// <summary>Grades a class: reads what was handed in, has it judged on all cores, and writes the pages and tables.</summary>
+/// <param name="bench">Judges of the scripts, and what they depend on.</param>
+internal sealed class Grader(IBench bench)
+{
+    /// <summary>The folder with the pages of the students, and the one with what was judged already.</summary>
+    public const string StudentsFolder = "students", KeptFolder = ".grade";
+
+    /// <summary>Reads and judges.</summary>
+    /// <param name="paths">Files and folders as they were typed.</param>
+    /// <param name="output">The folder that is written to.</param>
+    /// <param name="roster">Who should have handed in; null where nobody said.</param>
+    /// <param name="marks">Points and decisions.</param>
+    /// <param name="report">Is told which part is done.</param>
+    public Class Judge(IReadOnlyList<string> paths, string output, Roster? roster, MarksFile marks, Action<double> report)
+    {
+        HandedIn handedIn = HandedIn.Read(paths, output);
+        IReadOnlyList<Submission> submissions = Grouping.Of(handedIn, roster);
+        if (submissions.Count == 0)
+            throw new InputException($"{paths[0]}: there is no script, package or archive in it");
+
+        Kept kept = new(Path.Combine(output, KeptFolder), bench.Version);
+        (Submission, Judgement)[] judged = new (Submission, Judgement)[submissions.Count];
+        int next = -1, done = 0;
+        OnAllCores(Math.Min(submissions.Count, Environment.ProcessorCount), () =>
+        {
+            using IScriptJudge judge = bench.NewJudge();
+            Assessor assessor = new(judge, kept);
+            for (int i = Interlocked.Increment(ref next); i < submissions.Count; i = Interlocked.Increment(ref next))
+            {
+                judged[i] = (submissions[i], assessor.Of(submissions[i]));
+                report((double)Interlocked.Increment(ref done) / submissions.Count);
+            }
+        });
+        string name = string.Join(", ", paths.Select(path => Path.GetFileName(Path.TrimEndingDirectorySeparator(Path.GetFullPath(path)))).Take(3)) + (paths.Count > 3 ? ", …" : string.Empty);
+        return Class.Of(name, handedIn, judged, roster, marks, bench.Starter);
+    }
+
+    /// <summary>Writes all files; whole, or none of them.</summary>
+    public static void Write(Class all, string output)
+    {
+        using Files files = new(output, output), students = new(Path.Combine(output, StudentsFolder), output);
+        foreach (Graded one in all.Submissions)
+            students.Write(one.Page, to => File.WriteAllText(to, StudentPage.Html(one, all.Scheme)));
+
+        files.Write("index.html", to => File.WriteAllText(to, ClassPage.Html(all)));
+        files.Write("marks.csv", to => File.WriteAllBytes(to, MarksTable.Csv(all)));
+        files.Write("marks.xlsx", to => File.WriteAllBytes(to, MarksWorkbook.Of(all)));
+        files.Write("grade.json", to => File.WriteAllText(to, GradeJson.Of(all)));
+        students.Keep();
+        files.Keep();
+    }
+
+    private static void OnAllCores(int cores, Action work)
+    {
+        Exception? failed = null;
+        Thread[] threads = [.. Enumerable.Range(0, cores).Select(_ => new Thread(() =>
+        {
+            try
+            {
+                work();
+            }
+            catch (Exception exception)
+            {
+                // what ends one ends the run; the first says why
+                Interlocked.CompareExchange(ref failed, exception, null);
+            }
+        }))];
+        Array.ForEach(threads, thread => thread.Start());
+        Array.ForEach(threads, thread => thread.Join());
+        if (failed != null)
+            ExceptionDispatchInfo.Throw(failed);
+    }
+}

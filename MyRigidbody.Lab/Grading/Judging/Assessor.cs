@@ -1,0 +1,57 @@
+using System.Security.Cryptography;
+using System.Text;
+using RigidBodyDynamics.Judging;
+using RigidBodyDynamics.Lab.Grading.Reading;
+
+namespace RigidBodyDynamics.Lab.Grading.Judging;
+
+/// <summary>
+/// Finds the script of a submission and has it judged; what has been judged before, in this run or an earlier one, is taken
+/// from what was kept.
+/// </summary>
+internal sealed class Assessor(IScriptJudge judge, Kept kept)
+{
+    /// <summary>The judgement of a submission.</summary>
+    public Judgement Of(Submission submission)
+    {
+        if (submission.Problem != null && submission.Scripts.Count == 0)
+            return Judgement.Nothing(Mark.Unknown, submission.Problem);
+
+        Script[] scripts = [.. submission.Scripts.Where(script => !script.Spot.Name.Equals("DefaultRigidbody.cs", StringComparison.OrdinalIgnoreCase))];
+        if (scripts.Length == 0)
+            return Judgement.Nothing(Mark.Missing, Problems.NoScript());
+
+        Script[] named = [.. scripts.Where(Grouping.IsMain)];
+        // where none is called so, whoever judges says what is missing
+        Script[] mains = [.. (named.Length > 0 ? named : scripts[..1]).DistinctBy(script => Decoded.Text(script.Bytes).ReplaceLineEndings("\n").Trim())];
+        Judgement[] judged = [.. mains.Select(main => Judged(Companions.With(main, submission.Scripts.Except(mains))))];
+        return judged.Length == 1 ? judged[0] : Judgement.Between(judged);
+    }
+
+    private Judgement Judged(IReadOnlyList<Script> scripts)
+    {
+        string key = Key(scripts);
+        if (kept.Find(key) is Judgement before)
+            return before with { File = scripts[0].Spot.Shown, Text = Decoded.Text(scripts[0].Bytes) };
+
+        Judgement judgement = judge.Judge(scripts) with { File = scripts[0].Spot.Shown, Text = Decoded.Text(scripts[0].Bytes) };
+        kept.Keep(key, judgement);
+        return judgement;
+    }
+
+    /// <summary>Of names and contents; where in the class a script lies does not matter.</summary>
+    private static string Key(IReadOnlyList<Script> scripts)
+    {
+        using IncrementalHash hash = IncrementalHash.CreateHash(HashAlgorithmName.SHA256);
+        foreach (Script script in scripts)
+        {
+            byte[] name = Encoding.UTF8.GetBytes(script.Spot.Name);
+            hash.AppendData(BitConverter.GetBytes(name.Length));
+            hash.AppendData(name);
+            hash.AppendData(BitConverter.GetBytes(script.Bytes.Length));
+            hash.AppendData(script.Bytes);
+        }
+
+        return Convert.ToHexStringLower(hash.GetHashAndReset().AsSpan(0, 16));
+    }
+}

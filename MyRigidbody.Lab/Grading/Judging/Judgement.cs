@@ -1,0 +1,38 @@
+using RigidBodyDynamics.Judging;
+using RigidBodyDynamics.Lab.Grading.Reading;
+
+namespace RigidBodyDynamics.Lab.Grading.Judging;
+
+/// <summary>What was found out about the script of a submission.</summary>
+/// <param name="Verdict">Marks of the five steps, and what they rest on.</param>
+/// <param name="Statements">Statements that the student added to the starter.</param>
+/// <param name="Uncommented">Lines of those among them that have no comment.</param>
+/// <param name="File">The place of the script; null where there is none.</param>
+/// <param name="Text">The script.</param>
+internal sealed record Judgement(Verdict Verdict, int Statements, IReadOnlyList<int> Uncommented, string? File, string Text)
+{
+    /// <summary>Each script by itself where a submission has more than one that could be meant; else none.</summary>
+    public IReadOnlyList<Judgement> Candidates { get; init; } = [];
+
+    /// <summary>Statements that have a comment.</summary>
+    public int Commented => Statements - Uncommented.Count;
+
+    /// <summary>Of a submission in which nothing can be judged.</summary>
+    public static Judgement Nothing(Mark mark, Finding reason) =>
+        new(new Verdict(Verdict.FiveSteps.ToDictionary(step => step, _ => mark), [reason]), 0, [], null, string.Empty);
+
+    /// <summary>Of one in which two scripts or more could be meant: what they agree on, and doubt about the rest.</summary>
+    public static Judgement Between(IReadOnlyList<Judgement> candidates)
+    {
+        Dictionary<Step, Mark> marks = Verdict.FiveSteps.ToDictionary(
+            step => step, step => candidates.All(one => one.Verdict[step] == Mark.Right) ? Mark.Right : Mark.Doubtful);
+        return candidates[0] with { Verdict = new Verdict(marks, [Problems.TwoScripts(candidates.Select(one => one.File!))]), Candidates = candidates };
+    }
+}
+
+/// <summary>Judges the scripts of one submission. Used by one thread.</summary>
+internal interface IScriptJudge : IDisposable
+{
+    /// <summary>What becomes of the first script, with the others compiled along.</summary>
+    Judgement Judge(IReadOnlyList<Script> scripts);
+}

@@ -1,0 +1,119 @@
+using System.Globalization;
+using RigidBodyDynamics.Judging;
+using RigidBodyDynamics.Lab.Grading.Marks;
+using RigidBodyDynamics.Lab.Output;
+using RigidBodyDynamics.Lab.Report;
+
+namespace RigidBodyDynamics.Lab.Grading.Pages;
+
+/// <summary>What the page of a student says, on one sheet of A4.</summary>
+internal sealed class StudentPage
+{
+    // what fits on a sheet beside five steps
+    private const int MostFindings = 7, MostLines = 24, LongestText = 110, LongestName = 60;
+
+    private static readonly PageTemplate Template = new("student.liquid", GradeWords.All);
+
+    private readonly Graded _graded;
+
+    private StudentPage(Graded graded, Scheme scheme)
+    {
+        _graded = graded;
+        string[] source = graded.Judgement.Text.ReplaceLineEndings("\n").Split('\n');
+        Finding[] all = [.. graded.Judgement.Verdict.Findings.Concat(graded.Submission.Notes)], shown = [.. all.Take(MostFindings)];
+        Left = all.Length - shown.Length;
+        Parts =
+        [
+            .. Verdict.FiveSteps.Concat(shown.Select(finding => finding.Step).Where(step => !Verdict.FiveSteps.Contains(step)).Distinct())
+                .Select(step => new Part(step, graded.Judgement.Verdict[step], [.. shown.Where(finding => finding.Step == step).Select(finding => new FindingPart(finding, source))])),
+        ];
+        Full = Number(scheme.Full);
+    }
+
+    /// <summary>The name on the page.</summary>
+    public string Name => Title(_graded);
+
+    /// <summary>The file that was judged.</summary>
+    public string File => Visible.Line(_graded.File);
+
+    /// <summary>The verdict as a whole, and its colour.</summary>
+    public string Outcome => MarksFile.NameOf(_graded.Judgement.Verdict.Outcome);
+
+    /// <summary>The five steps, and whatever else something was found about.</summary>
+    public IReadOnlyList<Part> Parts { get; }
+
+    /// <summary>The number of findings that the page has no place for.</summary>
+    public int Left { get; }
+
+    /// <summary>The points of a submission without fault.</summary>
+    public string Full { get; }
+
+    /// <summary>The points.</summary>
+    public string Total => Number(_graded.Marked.Total);
+
+    /// <summary>True where the instructor has given them.</summary>
+    public bool IsSet => _graded.Marked.IsSet;
+
+    /// <summary>True where something is for the instructor to decide.</summary>
+    public bool IsDoubtful => _graded.Judgement.Verdict.Findings.Any(finding => finding.IsDoubtful);
+
+    /// <summary>What the points are made of.</summary>
+    public IReadOnlyList<(string Name, string Points)> Sum =>
+    [
+        ("steps", Number(_graded.Marked.Steps)),
+        .. new[] { ("comments", _graded.Marked.Comments), ("name", _graded.Marked.Name), ("given", _graded.Marked.Given) }
+            .Where(part => part.Item2 > 0).Select(part => (part.Item1, "−" + Number(part.Item2))),
+    ];
+
+    /// <summary>How many added statements have a comment.</summary>
+    public Word Comments => _graded.Judgement.Statements == 0
+        ? GradeWords.All["student.comments.none"]
+        : GradeWords.All["student.comments"].With(_graded.Judgement.Commented, _graded.Judgement.Statements);
+
+    /// <summary>The lines that have none.</summary>
+    public string Uncommented => string.Join(", ", _graded.Judgement.Uncommented.Take(MostLines)) + (_graded.Judgement.Uncommented.Count > MostLines ? ", …" : string.Empty);
+
+    /// <summary>A word of the instructor.</summary>
+    public string Note => Visible.Line(_graded.Decision?.Note ?? string.Empty, 300);
+
+    /// <summary>The page as HTML.</summary>
+    public static string Html(Graded graded, Scheme scheme) => Template.Render(
+        ("page", new StudentPage(graded, scheme)),
+        ("style", PageTemplate.Resource("report.css") + PageTemplate.Resource("grade.css")),
+        ("script", PageTemplate.Resource("page.js")));
+
+    /// <summary>Who it is, or else what the file is called.</summary>
+    public static string Title(Graded graded) =>
+        Visible.Line(graded.Student is { } student ? $"{student.Id} {student.Name}".Trim() : graded.Submission.Spot.Name, LongestName);
+
+    /// <summary>A number without needless digits.</summary>
+    public static string Number(double number) => number.ToString("0.##", CultureInfo.InvariantCulture);
+
+    /// <summary>A part of the verdict.</summary>
+    internal sealed record Part(Step Step, Mark Mark, IReadOnlyList<FindingPart> Findings)
+    {
+        public bool IsStep => Verdict.FiveSteps.Contains(Step);
+
+        public string Name => MarksFile.NameOf(Step);
+
+        public string MarkName => MarksFile.NameOf(Mark);
+    }
+
+    /// <summary>A finding on the page, with the line of the script that it is about.</summary>
+    internal sealed record FindingPart(Finding Finding, string[] Source)
+    {
+        public Word What => new(Visible.Line(Finding.English, 2 * LongestText), Visible.Line(Finding.Chinese, 2 * LongestText));
+
+        public string Expected => Visible.Line(Finding.Expected ?? string.Empty, LongestText);
+
+        public string Found => Visible.Line(Finding.Found ?? string.Empty, LongestText);
+
+        public int? Line => Finding.Line;
+
+        public string Code => Finding.Line is int line && line >= 1 && line <= Source.Length ? Visible.Line(Source[line - 1].Replace('\t', ' ').Trim(), LongestText) : string.Empty;
+
+        public Word? Since => Finding.Since is not int frame ? null
+            : string.IsNullOrEmpty(Finding.Experiment) ? GradeWords.All["student.since"].With(frame)
+            : GradeWords.All["student.experiment"].With(frame, Finding.Experiment);
+    }
+}
