@@ -8,6 +8,15 @@ namespace RigidBodyDynamics
         // more effects than these share one type, so that no scene can make the runtime compile without end
         private const int MostTyped = 6;
 
+        // compiled ahead of time, a program has no types but those that the compiler saw, and sums of effects have no end
+#if NET
+        private static bool CanCompile => System.Runtime.CompilerServices.RuntimeFeature.IsDynamicCodeSupported;
+#elif ENABLE_IL2CPP
+        private static bool CanCompile => false;
+#else
+        private static bool CanCompile => true;
+#endif
+
         private readonly BodyPlan _plan;
         private readonly StretchPlan _stretch;
         private readonly bool _isWatched;
@@ -36,7 +45,7 @@ namespace RigidBodyDynamics
             if (next == pushes.Count)
                 return new Stretch<TIntegrator, TSum>(_stretch.End, _stretch.Coasting, sum);
 
-            if (next < MostTyped && !_isWatched)
+            if (CanCompile && next < MostTyped && !_isWatched)
                 return pushes[next].Join(sum, this, next + 1);
 
             IPush[] rest = new IPush[pushes.Count - next];
@@ -46,7 +55,7 @@ namespace RigidBodyDynamics
                 rest[i] = _isWatched ? new Watched(push, _plan.Body) : push.Push;
             }
 
-            return Bind(new Both<TSum, Many>(sum, new Many(rest)), pushes.Count);
+            return new Stretch<TIntegrator, Both<TSum, Many>>(_stretch.End, _stretch.Coasting, new Both<TSum, Many>(sum, new Many(rest)));
         }
     }
 }
