@@ -30,9 +30,9 @@ namespace RigidBodyDynamics
             new CompositionRow<Order2>(
                 "Exact", 2, Kept | Keeps.Energy | Keeps.WayBack, Cost.LikeTheLab, "exact free motion between half pushes; exact where nothing pushes"),
             new CompositionRow<Order4>(
-                "Exact4", 4, Kept | Keeps.Energy | Keeps.WayBack, Cost.SeveralTimesTheLab, "the same with seven pushes in a step"),
+                "Exact4", 4, Kept | Keeps.Energy | Keeps.WayBack, Cost.SeveralTimesTheLab, "the same with seven pushes in a step, twelve where one reads a velocity"),
             new CompositionRow<Order6>(
-                "Exact6", 6, Kept | Keeps.Energy | Keeps.WayBack, Cost.SeveralTimesTheLab, "the same with twelve pushes in a step"),
+                "Exact6", 6, Kept | Keeps.Energy | Keeps.WayBack, Cost.SeveralTimesTheLab, "the same with twelve pushes in a step, twenty where one reads a velocity"),
         };
 
         /// <summary>The row of a body that names none.</summary>

@@ -54,7 +54,10 @@ namespace RigidBodyDynamics
         /// <summary>The name by which scenes and commands call it.</summary>
         public string Name { get; }
 
-        /// <summary>The error after a given time falls with this power of the step, where the rule converges at all.</summary>
+        /// <summary>
+        /// The error after a given time falls with this power of the step, where the rule converges at all: for every effect and
+        /// all of them together, but for those that <see cref="OrderFor"/> knows.
+        /// </summary>
         public int Order { get; }
 
         /// <summary>What it keeps of a body that turns freely.</summary>
@@ -65,6 +68,19 @@ namespace RigidBodyDynamics
 
         /// <summary>One line about it.</summary>
         public string About { get; }
+
+        /// <summary>
+        /// The order for a body. It is <see cref="Order"/>, and 1 by every rule where velocities are multiplied once a step
+        /// (<see cref="DecayPerStep"/>): that comes after all else that acts, held against the rate that it stands for.
+        /// </summary>
+        public int OrderFor(BodyDescription body)
+        {
+            Coasting coasting = Coasting.Free;
+            foreach (Effect effect in Guard.NotNull(body, nameof(body)).Effects)
+                (effect as CoastEffect)?.AddTo(ref coasting);
+
+            return coasting.LinearFactorPerStep == 1 && coasting.AngularFactorPerStep == 1 ? Order : 1;
+        }
 
         internal Body Build(BodyPlan plan, Clock clock) => Use(plan.Body, new BodyMaker(plan, clock));
 

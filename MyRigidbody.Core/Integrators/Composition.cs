@@ -9,6 +9,8 @@ namespace RigidBodyDynamics
         where TTop : struct, IFreeTop
         where TScheme : struct, IScheme
     {
+        private const PushTraits ReadsMotion = PushTraits.ReadsVelocity | PushTraits.ReadsAngularVelocity;
+
         private TTop _top;
         private Vector3d _x, _xLost, _v, _vLost;
         private MassProperties _mass;
@@ -74,6 +76,12 @@ namespace RigidBodyDynamics
         private void Compose<TPush>(in Instant now, ref TPush push) where TPush : struct, IPush
         {
             TScheme scheme = default(TScheme);
+            if (scheme.Mirrored != null && (push.Traits & ReadsMotion) != 0)
+            {
+                ComposeMirrored(now, scheme.Mirrored, ref push);
+                return;
+            }
+
             double[] kicks = scheme.Kicks, drifts = scheme.Drifts;
             Instant at = new Instant(now.Step, now.Time, scheme.HoldsTime);
             for (int i = 0; i < drifts.Length; i++)
@@ -85,6 +93,19 @@ namespace RigidBodyDynamics
             }
 
             Kick(at, kicks[drifts.Length] * _dt, ref push);
+        }
+
+        private void ComposeMirrored<TPush>(in Instant now, double[] parts, ref TPush push) where TPush : struct, IPush
+        {
+            Instant at = new Instant(now.Step, now.Time, isHeld: true);
+            for (int i = 0; i < parts.Length; i += 2)
+            {
+                double length = (parts[i] + parts[i + 1]) * _dt;
+                Give(at, parts[i] * _dt, ref push);
+                Advance(length);
+                at = at.Later(length);
+                Give(at.Reversed, parts[i + 1] * _dt, ref push);
+            }
         }
 
         private void Advance(double length)
@@ -106,7 +127,7 @@ namespace RigidBodyDynamics
 
         private void Kick<TPush>(in Instant now, double duration, ref TPush push) where TPush : struct, IPush
         {
-            if ((push.Traits & (PushTraits.ReadsVelocity | PushTraits.ReadsAngularVelocity)) == 0)
+            if ((push.Traits & ReadsMotion) == 0)
             {
                 Give(now, duration, ref push);
                 return;
@@ -120,7 +141,8 @@ namespace RigidBodyDynamics
 
         private void Give<TPush>(in Instant now, double duration, ref TPush push) where TPush : struct, IPush
         {
-            const PushTraits ReadsPose = PushTraits.ReadsPosition | PushTraits.ReadsOrientation;
+            // what other pushes make of ω (Wrench.AppliedTo) depends on the orientation
+            const PushTraits ReadsPose = PushTraits.ReadsPosition | PushTraits.ReadsOrientation | PushTraits.ReadsAngularVelocity;
             PushTraits traits = push.Traits;
             BodyState body = default(BodyState);
             body.Velocity = _v;

@@ -11,6 +11,14 @@ namespace RigidBodyDynamics
 
         /// <summary>True if time passes with the free motion and stands still in a push.</summary>
         bool HoldsTime { get; }
+
+        /// <summary>
+        /// For pushes that read a velocity, while time is held: parts α₁ α₂ … of a step, in turn of pushes one after another
+        /// and then free motion, and of the mirror image of that. Their order is the same whatever is read, and whether or not
+        /// the sum of pushes has an exact flow: each need only have one, or one that ends where it began when it goes back. Null
+        /// where a push that reads a velocity goes there and back within each part of <see cref="Kicks"/>.
+        /// </summary>
+        double[] Mirrored { get; }
     }
 
     /// <summary>Half a push, free motion, half a push (Strang): order 2; each push with its mean over its half.</summary>
@@ -24,12 +32,15 @@ namespace RigidBodyDynamics
         public double[] Drifts => WholeDrift;
 
         public bool HoldsTime => false;
+
+        public double[] Mirrored => null;
     }
 
     /// <summary>
     /// Order 4 with six stages: S. Blanes, P. C. Moan, "Practical symplectic partitioned Runge–Kutta and
-    /// Runge–Kutta–Nyström methods", J. Comput. Appl. Math. 142 (2002), SRKN 6 b. For pushes that depend on pose and
-    /// time alone (one that reads a velocity beside another push leaves order 2); the free motion need not be a quadratic form's drift, a rotation will do. Two stages go back in time: damping of c h above ten grows there.
+    /// Runge–Kutta–Nyström methods", J. Comput. Appl. Math. 142 (2002): SRKN 6 b for pushes that read pose and time alone (the
+    /// free motion need not be a quadratic form's drift, a rotation will do), S 6 for those that read a velocity, its a₁ b₁ a₂ …
+    /// here as a₁ = α₁, b₁ = α₁ + α₂, a₂ = α₂ + α₃, … Two stages go back in time: damping of c h above ten grows there.
     /// </summary>
     internal struct Order4 : IScheme
     {
@@ -38,11 +49,16 @@ namespace RigidBodyDynamics
 
         private static readonly double[] A = Palindrome(new[] { 0.245298957184271, 0.604872665711080 }, middleTwice: true);
 
+        private static readonly double[] Alpha = Palindrome(
+            new[] { 0.0792036964311957, 0.1303114101821663, 0.2228614958676077, -0.3667132690474257, 0.3246481886897062 }, middleTwice: true);
+
         public double[] Kicks => B;
 
         public double[] Drifts => A;
 
         public bool HoldsTime => true;
+
+        public double[] Mirrored => Alpha;
 
         /// <summary>
         /// c₁ … c_k m c_k … c₁, or c₁ … c_k m m c_k … c₁, with m such that the sum is 1. The coefficients are given to 15
@@ -66,7 +82,7 @@ namespace RigidBodyDynamics
         }
     }
 
-    /// <summary>Order 6 with eleven stages: the same paper, SRKN 11 b.</summary>
+    /// <summary>Order 6: the same paper, SRKN 11 b with eleven stages, and S 10 with ten for pushes that read a velocity.</summary>
     internal struct Order6 : IScheme
     {
         private static readonly double[] B = Order4.Palindrome(
@@ -77,10 +93,20 @@ namespace RigidBodyDynamics
             new[] { 0.123229775946271, 0.290553797799558, -0.127049212625417, -0.246331761062075, 0.357208872795928 },
             middleTwice: false);
 
+        private static readonly double[] Alpha = Order4.Palindrome(
+            new[]
+            {
+                0.0502627644003922, 0.0985536835006498, 0.3149606169276942, -0.4473464826954782, 0.4924263724898759,
+                -0.4251187677976909, 0.2370639139781219, 0.1956024886000531, 0.3463581898507269,
+            },
+            middleTwice: true);
+
         public double[] Kicks => B;
 
         public double[] Drifts => A;
 
         public bool HoldsTime => true;
+
+        public double[] Mirrored => Alpha;
     }
 }

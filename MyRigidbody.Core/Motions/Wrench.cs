@@ -25,7 +25,7 @@ namespace RigidBodyDynamics
         /// <summary>A body once this has acted on it as an impulse: in the same place, with v + F / m and ω + I⁻¹ τ.</summary>
         public BodyState AppliedTo(BodyState body, MassProperties mass)
         {
-            Quaterniond principal = body.Orientation * Guard.NotNull(mass, nameof(mass)).PrincipalFrame;
+            Quaterniond principal = (body.Orientation * Guard.NotNull(mass, nameof(mass)).PrincipalFrame).Normalized;
             body.Velocity += mass.InverseMass * Force;
             body.AngularVelocity += principal.Rotate(Vector3d.Scale(mass.InversePrincipalMoments, principal.RotateInverse(TorqueInWorld(body.Orientation))));
             return body;

@@ -1,0 +1,39 @@
+using System.Globalization;
+using NUnit.Framework;
+using RigidBodyDynamics.Tests.Repository;
+
+namespace RigidBodyDynamics.Tests;
+
+/// <summary>How often a step asks for a push is what the page says.</summary>
+public sealed class PushesOfAStepTests
+{
+    private static IEnumerable<object[]> Rows =>
+        from line in File.ReadLines(Root.File("docs/integrators.md")).SkipWhile(line => line != "<!-- kicks -->").Skip(3).TakeWhile(line => line != "<!-- end -->")
+        let cells = line.Split('|', StringSplitOptions.TrimEntries)
+        from rule in cells[1].Split(", ")
+        select new object[] { rule.Trim('`'), int.Parse(cells[2], CultureInfo.InvariantCulture), int.Parse(cells[3], CultureInfo.InvariantCulture) };
+
+    [TestCaseSource(nameof(Rows))]
+    public void Page_says_how_often_a_push_is_asked_for(string integrator, int ofPose, int ofVelocity)
+    {
+        Assert.That(Asked(PushTraits.ReadsPosition | PushTraits.ReadsTime), Is.EqualTo(ofPose));
+        Assert.That(Asked(PushTraits.ReadsVelocity), Is.EqualTo(ofVelocity));
+        Assert.That(Asked(PushTraits.ReadsAngularVelocity), Is.EqualTo(ofVelocity));
+
+        int Asked(PushTraits reads)
+        {
+            int[] count = [0];
+            Scenery.Run(TimeSteps.Every(0.1), Scenery.Body(integrator).With(new Counting(reads, count)), 1);
+            return count[0];
+        }
+    }
+
+    private readonly struct Counting(PushTraits reads, int[] count) : IPush
+    {
+        public PushTraits Traits => PushTraits.Moves | PushTraits.Turns | reads;
+
+        public void At(in Instant now, in BodyState body, MassProperties mass, ref Wrench wrench) => count[0]++;
+
+        public void Over(in Instant now, double duration, in BodyState body, MassProperties mass, ref Wrench impulse) => count[0]++;
+    }
+}
