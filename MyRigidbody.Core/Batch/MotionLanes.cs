@@ -17,25 +17,30 @@ namespace RigidBodyDynamics
             return IsNone ? left : Rest(left);
         }
 
-        /// <summary>What is left of a vector of each body.</summary>
-        [MethodImpl(MethodImplOptions.AggressiveInlining)]
-        public VectorLanes Of(VectorLanes v) => new VectorLanes(Of(v.X), Of(v.Y), Of(v.Z));
-
         /// <summary>Takes off a running sum of each body what it loses.</summary>
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
-        public void Take(ref VectorLanes v, ref VectorLanes lost)
+        public void Take(ref Lanes x, ref Lanes lost)
         {
             if (IsNone)
                 return;
 
-            lost = _left * lost;
+            lost = new Lanes(_left) * lost;
             if (Math.Abs(_lost) < 0.5)
-                RunningSum.Add(ref v, ref lost, -_lost * v);
+                RunningSum.Add(ref x, ref lost, new Lanes(-_lost) * x);
             else
-                v = _left * v;
+                x = new Lanes(_left) * x;
 
-            v = new VectorLanes(Rest(v.X), Rest(v.Y), Rest(v.Z));
-            lost = new VectorLanes(Rest(lost.X), Rest(lost.Y), Rest(lost.Z));
+            x = Rest(x);
+            lost = Rest(lost);
+        }
+
+        /// <summary>The same of a vector of each body.</summary>
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        public void Take(ref VectorLanes v, ref VectorLanes lost)
+        {
+            Take(ref v.X, ref lost.X);
+            Take(ref v.Y, ref lost.Y);
+            Take(ref v.Z, ref lost.Z);
         }
 
         /// <summary>What is left of a vector of each body by a factor alone.</summary>

@@ -18,6 +18,7 @@ namespace RigidBodyDynamics
                 return;
 
             row.Carry(SphericalLanes.QLost, ref _qLost);
+            row.Carry(SphericalLanes.WLost, ref _wLost);
             row.Carry(SphericalLanes.Turn, ref _turn);
             row.Carry(SphericalLanes.PreparedFor, ref _preparedFor);
         }
@@ -26,7 +27,7 @@ namespace RigidBodyDynamics
     /// <summary>The step of <see cref="SphericalTop"/> for several bodies at once: its operations in its order.</summary>
     internal struct SphericalLanes : ITopLanes
     {
-        public const int Q = CompositionLanes.Columns, QLost = Q + 4, Turn = QLost + 4, W = Turn + 4, PreparedFor = W + 3;
+        public const int Q = CompositionLanes.Columns, QLost = Q + 4, Turn = QLost + 4, W = Turn + 4, WLost = W + 3, PreparedFor = W + 6;
 
         private double _inverseMoment;
 
@@ -44,7 +45,10 @@ namespace RigidBodyDynamics
             if (impulse.HasBody)
                 change += new QuaternionLanes(bodies, Q).Rotate(new VectorLanes(impulse.Body));
 
-            (new VectorLanes(bodies, W) + _inverseMoment * change).Write(bodies, W);
+            VectorLanes w = new VectorLanes(bodies, W), lost = new VectorLanes(bodies, WLost);
+            RunningSum.Add(ref w, ref lost, _inverseMoment * change);
+            w.Write(bodies, W);
+            lost.Write(bodies, WLost);
             bodies[PreparedFor] = new Lanes(double.NaN);
         }
 
@@ -53,7 +57,10 @@ namespace RigidBodyDynamics
             if (decay.IsNone)
                 return;
 
-            decay.Of(new VectorLanes(bodies, W)).Write(bodies, W);
+            VectorLanes w = new VectorLanes(bodies, W), lost = new VectorLanes(bodies, WLost);
+            decay.Take(ref w, ref lost);
+            w.Write(bodies, W);
+            lost.Write(bodies, WLost);
             bodies[PreparedFor] = new Lanes(double.NaN);
         }
 

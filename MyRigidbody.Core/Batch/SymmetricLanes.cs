@@ -27,6 +27,8 @@ namespace RigidBodyDynamics
             if (!isAll)
                 return;
 
+            row.Carry(SymmetricLanes.MomentumLost, ref _momentumLost);
+            row.Carry(SymmetricLanes.W3Lost, ref _w3Lost);
             row.Carry(SymmetricLanes.Turn, ref _turn);
             row.Carry(SymmetricLanes.SpinW, ref _spinW);
             row.Carry(SymmetricLanes.SpinZ, ref _spinZ);
@@ -38,12 +40,12 @@ namespace RigidBodyDynamics
     internal struct SymmetricLanes : ITopLanes
     {
         public const int Q = CompositionLanes.Columns, QLost = Q + 4, Turn = QLost + 4, Momentum = Turn + 4;
-        public const int W3 = Momentum + 3, SpinW = W3 + 1, SpinZ = W3 + 2, PreparedFor = W3 + 3;
+        public const int W3 = Momentum + 3, SpinW = W3 + 1, SpinZ = W3 + 2, PreparedFor = W3 + 3, MomentumLost = W3 + 4, W3Lost = W3 + 7;
 
         private PrincipalAxesOrder _axes;
         private double _across, _along, _slip;
 
-        public int Columns => PreparedFor + 1;
+        public int Columns => W3Lost + 1;
 
         public void Start(MassProperties mass)
         {
@@ -64,9 +66,11 @@ namespace RigidBodyDynamics
             QuaternionLanes q = new QuaternionLanes(bodies, Q);
             VectorLanes world = new VectorLanes(impulse.World), body = new VectorLanes(impulse.Body);
             Lanes along = impulse.HasWorld ? q.RotateInverse(world).Z : Lanes.Zero;
-            bodies[W3] += (body.Z + along) / new Lanes(_along);
-            VectorLanes change = impulse.HasBody ? world + q.Rotate(body) : world;
-            (new VectorLanes(bodies, Momentum) + change).Write(bodies, Momentum);
+            RunningSum.Add(ref bodies[W3], ref bodies[W3Lost], (body.Z + along) / new Lanes(_along));
+            VectorLanes momentum = new VectorLanes(bodies, Momentum), lost = new VectorLanes(bodies, MomentumLost);
+            RunningSum.Add(ref momentum, ref lost, impulse.HasBody ? world + q.Rotate(body) : world);
+            momentum.Write(bodies, Momentum);
+            lost.Write(bodies, MomentumLost);
             bodies[PreparedFor] = new Lanes(double.NaN);
         }
 
@@ -75,8 +79,11 @@ namespace RigidBodyDynamics
             if (decay.IsNone)
                 return;
 
-            bodies[W3] = decay.Of(bodies[W3]);
-            decay.Of(new VectorLanes(bodies, Momentum)).Write(bodies, Momentum);
+            decay.Take(ref bodies[W3], ref bodies[W3Lost]);
+            VectorLanes momentum = new VectorLanes(bodies, Momentum), lost = new VectorLanes(bodies, MomentumLost);
+            decay.Take(ref momentum, ref lost);
+            momentum.Write(bodies, Momentum);
+            lost.Write(bodies, MomentumLost);
             bodies[PreparedFor] = new Lanes(double.NaN);
         }
 

@@ -5,7 +5,7 @@ namespace RigidBodyDynamics
     {
         private double _inverseMoment;
         private Quaterniond _q, _qLost, _turn;
-        private Vector3d _w;
+        private Vector3d _w, _wLost;
         private double _preparedFor;
 
         public Quaterniond Orientation => _q;
@@ -28,12 +28,13 @@ namespace RigidBodyDynamics
             _q = orientation.Rounded;
             _qLost = orientation.Lost;
             _w = orientation.Rotate(angularVelocity).Rounded;
+            _wLost = Vector3d.Zero;
             _preparedFor = double.NaN;
         }
 
         public void Kick(in Vector3d world, in Vector3d body)
         {
-            _w += _inverseMoment * (body.IsZero ? world : world + _q.Rotate(body));
+            RunningSum.Add(ref _w, ref _wLost, _inverseMoment * (body.IsZero ? world : world + _q.Rotate(body)));
             _preparedFor = double.NaN;
         }
 
@@ -42,7 +43,7 @@ namespace RigidBodyDynamics
             if (decay.IsNone)
                 return;
 
-            _w = decay.Of(_w);
+            decay.Take(ref _w, ref _wLost);
             _preparedFor = double.NaN;
         }
 

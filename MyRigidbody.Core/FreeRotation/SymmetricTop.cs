@@ -10,8 +10,8 @@ namespace RigidBodyDynamics
         private PrincipalAxesOrder _axes;
         private double _across, _along, _slip;
         private Quaterniond _q, _qLost, _turn;
-        private Vector3d _momentum;
-        private double _w3, _spinW, _spinZ, _preparedFor;
+        private Vector3d _momentum, _momentumLost;
+        private double _w3, _w3Lost, _spinW, _spinZ, _preparedFor;
 
         public Quaterniond Orientation => _axes.ToBody(_q);
 
@@ -43,6 +43,8 @@ namespace RigidBodyDynamics
             _qLost = q.Lost;
             _w3 = w.Z.High;
             _momentum = q.Rotate(Vector3dd.Scale(new Vector3d(_across, _across, _along), w)).Rounded;
+            _momentumLost = Vector3d.Zero;
+            _w3Lost = 0;
             _preparedFor = double.NaN;
         }
 
@@ -50,8 +52,8 @@ namespace RigidBodyDynamics
         {
             // L and w₃ are held apart: each keeps digits that the other has not
             Vector3d inBody = body.IsZero ? body : _axes.FromBody(body), outside = _axes.FromWorld(world);
-            _w3 += (inBody.Z + (world.IsZero ? 0 : _q.RotateInverse(outside).Z)) / _along;
-            _momentum += body.IsZero ? outside : outside + _q.Rotate(inBody);
+            RunningSum.Add(ref _w3, ref _w3Lost, (inBody.Z + (world.IsZero ? 0 : _q.RotateInverse(outside).Z)) / _along);
+            RunningSum.Add(ref _momentum, ref _momentumLost, body.IsZero ? outside : outside + _q.Rotate(inBody));
             _preparedFor = double.NaN;
         }
 
@@ -60,8 +62,8 @@ namespace RigidBodyDynamics
             if (decay.IsNone)
                 return;
 
-            _w3 = decay.Of(_w3);
-            _momentum = decay.Of(_momentum);
+            decay.Take(ref _w3, ref _w3Lost);
+            decay.Take(ref _momentum, ref _momentumLost);
             _preparedFor = double.NaN;
         }
 

@@ -43,19 +43,28 @@ namespace RigidBodyDynamics
 
         /// <summary>Takes off a running sum what it loses.</summary>
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
-        public void Take(ref Vector3d v, ref Vector3d lost)
+        public void Take(ref double x, ref double lost)
         {
             if (IsNone)
                 return;
 
             lost = _left * lost;
             if (Math.Abs(_lost) < 0.5)
-                RunningSum.Add(ref v, ref lost, -_lost * v);
+                RunningSum.Add(ref x, ref lost, -_lost * x);
             else
-                v = _left * v;
+                x = _left * x;
 
-            v = Rest(v);
+            x = Rest(x);
             lost = Rest(lost);
+        }
+
+        /// <summary>The same of a vector.</summary>
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        public void Take(ref Vector3d v, ref Vector3d lost)
+        {
+            Take(ref v.X, ref lost.X);
+            Take(ref v.Y, ref lost.Y);
+            Take(ref v.Z, ref lost.Z);
         }
 
         /// <summary>What is left of a vector by a factor alone.</summary>
