@@ -27,6 +27,7 @@ internal static class Program
             ExplainCommand.Create(),
             BenchCommand.Create(),
             IntegratorsCommand.Create(),
+            GradeCommand.Create(),
             PackCommand.Create(),
         };
         // with no command at all: the lab's scene, both bodies

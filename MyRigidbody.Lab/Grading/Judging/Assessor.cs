@@ -2,6 +2,7 @@ using System.Security.Cryptography;
 using System.Text;
 using RigidBodyDynamics.Judging;
 using RigidBodyDynamics.Lab.Grading.Reading;
+using RigidBodyDynamics.StudentScripts;
 
 namespace RigidBodyDynamics.Lab.Grading.Judging;
 
@@ -22,8 +23,8 @@ internal sealed class Assessor(IScriptJudge judge, Kept kept)
             return Judgement.Nothing(Mark.Missing, Problems.NoScript());
 
         Script[] named = [.. scripts.Where(Grouping.IsMain)];
-        // where none is called so, whoever judges says what is missing
-        Script[] mains = [.. (named.Length > 0 ? named : scripts[..1]).DistinctBy(script => Decoded.Text(script.Bytes).ReplaceLineEndings("\n").Trim())];
+        // where none is called so, whoever judges says what is missing of the likeliest
+        Script[] mains = [.. (named.Length > 0 ? named : [scripts.FirstOrDefault(IsOfUnity) ?? scripts[0]]).DistinctBy(script => SourceText.Decode(script.Bytes).Text.ReplaceLineEndings("\n").Trim())];
         Judgement[] judged = [.. mains.Select(main => Judged(Companions.With(main, submission.Scripts.Except(mains))))];
         return judged.Length == 1 ? judged[0] : Judgement.Between(judged);
     }
@@ -32,12 +33,14 @@ internal sealed class Assessor(IScriptJudge judge, Kept kept)
     {
         string key = Key(scripts);
         if (kept.Find(key) is Judgement before)
-            return before with { File = scripts[0].Spot.Shown, Text = Decoded.Text(scripts[0].Bytes) };
+            return before with { File = scripts[0].Spot.Shown, Text = SourceText.Decode(scripts[0].Bytes).Text };
 
-        Judgement judgement = judge.Judge(scripts) with { File = scripts[0].Spot.Shown, Text = Decoded.Text(scripts[0].Bytes) };
+        Judgement judgement = judge.Judge(scripts) with { File = scripts[0].Spot.Shown, Text = SourceText.Decode(scripts[0].Bytes).Text };
         kept.Keep(key, judgement);
         return judgement;
     }
+
+    private static bool IsOfUnity(Script script) => SourceText.Decode(script.Bytes).Text.Contains("MonoBehaviour", StringComparison.Ordinal);
 
     /// <summary>Of names and contents; where in the class a script lies does not matter.</summary>
     private static string Key(IReadOnlyList<Script> scripts)

@@ -1,7 +1,8 @@
-using Microsoft.CodeAnalysis;
-using Microsoft.CodeAnalysis.CSharp;
 using Microsoft.CodeAnalysis.CSharp.Syntax;
+using Microsoft.CodeAnalysis.CSharp;
+using Microsoft.CodeAnalysis;
 using RigidBodyDynamics.Lab.Grading.Reading;
+using RigidBodyDynamics.StudentScripts;
 
 namespace RigidBodyDynamics.Lab.Grading.Judging;
 
@@ -32,7 +33,7 @@ internal static class Companions
         return needed;
     }
 
-    private static SyntaxNode Parse(Script script) => CSharpSyntaxTree.ParseText(Decoded.Text(script.Bytes)).GetRoot();
+    private static SyntaxNode Parse(Script script) => CSharpSyntaxTree.ParseText(SourceText.Decode(script.Bytes).Text).GetRoot();
 
     /// <summary>Names of types, and of methods that extend others' types.</summary>
     private static IEnumerable<string> Declared(SyntaxNode tree) => tree.DescendantNodes().SelectMany(node => node switch

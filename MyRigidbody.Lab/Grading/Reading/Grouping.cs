@@ -1,6 +1,7 @@
 using System.Text.RegularExpressions;
 using RigidBodyDynamics.Judging;
 using RigidBodyDynamics.Lab.Grading.Students;
+using RigidBodyDynamics.StudentScripts;
 
 namespace RigidBodyDynamics.Lab.Grading.Reading;
 
@@ -28,7 +29,7 @@ internal static partial class Grouping
 
     /// <summary>True for a script called as the sheet asks, or that has the class it asks for.</summary>
     public static bool IsMain(Script script) =>
-        script.Spot.Name.Equals(MainFile, StringComparison.OrdinalIgnoreCase) || MainClass().IsMatch(Decoded.Text(script.Bytes));
+        script.Spot.Name.Equals(MainFile, StringComparison.OrdinalIgnoreCase) || MainClass().IsMatch(SourceText.Decode(script.Bytes).Text);
 
     /// <summary>The names of the place that a loose script shares with its submission.</summary>
     private static string Home(Piece piece, IReadOnlySet<Piece> mains)

@@ -1,5 +1,6 @@
 using System.IO.Compression;
 using System.Text;
+using RigidBodyDynamics.StudentScripts;
 
 namespace RigidBodyDynamics.Lab.Grading.Reading;
 
@@ -16,6 +17,6 @@ internal static class ZipNames
             .Where(name => name.All(letter => letter <= 0xff))
             .Take(Limits.Entries)
             .SelectMany(Encoding.Latin1.GetBytes)];
-        return new ZipArchive(new MemoryStream(bytes), ZipArchiveMode.Read, leaveOpen: false, Decoded.IsUtf8(names) ? Encoding.UTF8 : Decoded.Gbk);
+        return new ZipArchive(new MemoryStream(bytes), ZipArchiveMode.Read, leaveOpen: false, SourceText.Decode(names).Encoding == "UTF-8" ? Encoding.UTF8 : SourceText.Gbk);
     }
 }

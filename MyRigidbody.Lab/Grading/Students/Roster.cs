@@ -1,8 +1,9 @@
 using System.Globalization;
 using System.Text.RegularExpressions;
-using CsvHelper;
 using CsvHelper.Configuration;
+using CsvHelper;
 using RigidBodyDynamics.Lab.Grading.Reading;
+using RigidBodyDynamics.StudentScripts;
 
 namespace RigidBodyDynamics.Lab.Grading.Students;
 
@@ -29,7 +30,7 @@ internal sealed partial class Roster
     /// <summary>The same of its bytes.</summary>
     internal static Roster Parse(string path, byte[] bytes)
     {
-        List<(int Line, string[] Cells)> rows = Rows(path, Decoded.Text(bytes));
+        List<(int Line, string[] Cells)> rows = Rows(path, SourceText.Decode(bytes).Text);
         (Columns columns, int first) = Columns.Find(rows) ?? throw new InputException(
             $"{path}: line 1: there is no heading 学号 or 姓名 (student id, name) in the first {MostTitleLines} lines, and no line begins with a number");
 

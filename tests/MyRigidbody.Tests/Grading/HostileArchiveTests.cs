@@ -2,6 +2,7 @@ using System.Formats.Tar;
 using System.IO.Compression;
 using NUnit.Framework;
 using RigidBodyDynamics.Lab.Grading.Reading;
+using RigidBodyDynamics.StudentScripts;
 
 namespace RigidBodyDynamics.Tests.Grading;
 
@@ -201,7 +202,7 @@ public sealed class HostileArchiveTests
             {
                 Piece read = Archives.Read(name, whole[..length]).Single();
                 // the last bytes of a package are the end of a tar, after all files
-                bool isWhole = read.Scripts is [Script script] && Decoded.Text(script.Bytes) == Archives.Source;
+                bool isWhole = read.Scripts is [Script script] && SourceText.Decode(script.Bytes).Text == Archives.Source;
                 Assert.That(isWhole ? "whole" : read.Problem?.Code, Is.EqualTo("truncated").Or.EqualTo("damaged").Or.EqualTo("whole"), $"{name} cut at {length} of {whole.Length}");
             }
         }

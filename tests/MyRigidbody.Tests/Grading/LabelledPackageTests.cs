@@ -1,4 +1,3 @@
-using System.Text;
 using NUnit.Framework;
 using RigidBodyDynamics.Lab.Grading.Reading;
 using RigidBodyDynamics.Lab.Grading.Students;
@@ -73,20 +72,6 @@ public sealed class LabelledPackageTests
         Assert.That(read.Select(one => one.Student!.Id).Distinct().Count(), Is.EqualTo(41));
         Assert.That(read.Select(one => one.NameAsAsked), Is.All.True);
         Assert.That(read.Select(one => one.Scripts.Single().Spot.Shown), Does.Contain("class/210840007_学生一/MyRigidbody.cs"));
-    }
-
-    [TestCase("utf-8", true)]
-    [TestCase("utf-16", true)]
-    [TestCase("utf-16BE", true)]
-    [TestCase("utf-16", false)]
-    [TestCase("utf-16BE", false)]
-    [TestCase("GB18030", false)]
-    public void Text_is_read_in_the_encodings_of_Chinese_Windows(string name, bool mark)
-    {
-        const string Text = "// 更新速度\nv = v + a * dt;";
-        Encoding encoding = Encoding.GetEncoding(name == "GB18030" ? Decoded.Gbk.WebName : name);
-
-        Assert.That(Decoded.Text([.. mark ? encoding.GetPreamble() : [], .. encoding.GetBytes(Text)]), Is.EqualTo(Text));
     }
 
     private static IReadOnlyList<Submission> Submissions(string file) =>

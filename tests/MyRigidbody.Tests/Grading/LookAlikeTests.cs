@@ -1,6 +1,7 @@
 using NUnit.Framework;
 using RigidBodyDynamics.Lab.Grading.Likeness;
 using RigidBodyDynamics.Lab.Grading.Reading;
+using RigidBodyDynamics.StudentScripts;
 
 namespace RigidBodyDynamics.Tests.Grading;
 
@@ -63,5 +64,5 @@ public sealed class LookAlikeTests
 
     private static string[] Owners(string[] texts) => [.. Enumerable.Range(0, texts.Length).Select(i => $"{i}")];
 
-    private static string Text(string student) => Decoded.Text(File.ReadAllBytes(TestData.Path("submissions", "class", student, "MyRigidbody.cs")));
+    private static string Text(string student) => SourceText.Decode(File.ReadAllBytes(TestData.Path("submissions", "class", student, "MyRigidbody.cs"))).Text;
 }

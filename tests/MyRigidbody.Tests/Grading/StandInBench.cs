@@ -2,6 +2,7 @@ using System.Text.RegularExpressions;
 using RigidBodyDynamics.Judging;
 using RigidBodyDynamics.Lab.Grading.Judging;
 using RigidBodyDynamics.Lab.Grading.Reading;
+using RigidBodyDynamics.StudentScripts;
 using Match = System.Text.RegularExpressions.Match;
 
 namespace RigidBodyDynamics.Tests.Grading;
@@ -36,7 +37,7 @@ internal sealed partial class StandInBench : IBench
             if (Interlocked.Increment(ref bench._judged) > bench.EndsAfter)
                 throw new OperationCanceledException("killed");
 
-            string text = Decoded.Text(scripts[0].Bytes);
+            string text = SourceText.Decode(scripts[0].Bytes).Text;
             Dictionary<Step, Mark> marks = Verdict.FiveSteps.ToDictionary(step => step, _ => Mark.Right);
             List<Finding> findings = [];
             bool refused = false;

@@ -1,8 +1,9 @@
 using System.Text;
 using NUnit.Framework;
-using RigidBodyDynamics.Lab;
 using RigidBodyDynamics.Lab.Grading.Reading;
 using RigidBodyDynamics.Lab.Grading.Students;
+using RigidBodyDynamics.Lab;
+using RigidBodyDynamics.StudentScripts;
 
 namespace RigidBodyDynamics.Tests.Grading;
 
@@ -47,7 +48,7 @@ public sealed class StudentNameTests
     [TestCase("210840007,学生一\n210840014,学生二\n")]
     public void Roster_is_read_however_a_school_writes_it(string text)
     {
-        foreach (Encoding encoding in new[] { new UTF8Encoding(true), new UTF8Encoding(false), Decoded.Gbk, Encoding.Unicode })
+        foreach (Encoding encoding in new[] { new UTF8Encoding(true), new UTF8Encoding(false), SourceText.Gbk, Encoding.Unicode })
         {
             byte[] bytes = [.. encoding.GetPreamble(), .. encoding.GetBytes(text)];
             Assert.That(Roster.Parse("list.csv", bytes).Students, Is.EqualTo(Two), encoding.WebName);

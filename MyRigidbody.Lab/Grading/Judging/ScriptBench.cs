@@ -1,0 +1,47 @@
+using System.Security.Cryptography;
+using System.Text;
+using RigidBodyDynamics.Lab.Grading.Reading;
+using RigidBodyDynamics.StudentScripts;
+
+namespace RigidBodyDynamics.Lab.Grading.Judging;
+
+/// <summary>Has scripts run by child processes, one for each judge.</summary>
+/// <param name="starter">The text that was handed out; null for the sheet's.</param>
+internal sealed class ScriptBench(string? starter) : IBench
+{
+    // of a hash, enough that no two are one
+    private const int VersionLength = 16;
+
+    /// <inheritdoc/>
+    public string Starter => starter ?? ScriptRunner.SheetStarter;
+
+    /// <summary>Of everything that has a say in a verdict: the program's own assemblies, and the starter.</summary>
+    public string Version
+    {
+        get
+        {
+            using IncrementalHash hash = IncrementalHash.CreateHash(HashAlgorithmName.SHA256);
+            foreach (string assembly in Directory.GetFiles(AppContext.BaseDirectory, "MyRigidbody.*.dll").Order(StringComparer.Ordinal))
+                hash.AppendData(File.ReadAllBytes(assembly));
+
+            hash.AppendData(Encoding.UTF8.GetBytes(Starter));
+            return Convert.ToHexStringLower(hash.GetHashAndReset())[..VersionLength];
+        }
+    }
+
+    /// <inheritdoc/>
+    public IScriptJudge NewJudge() => new Judge(new ScriptRunner(starter));
+
+    private sealed class Judge(ScriptRunner runner) : IScriptJudge
+    {
+        Judgement IScriptJudge.Judge(IReadOnlyList<Script> scripts)
+        {
+            ScriptReport report = runner.Run([.. scripts.Select(script => new ScriptFile(InPackage(script.Spot.Shown), script.Bytes))]);
+            return new Judgement(report.Verdict, report.Comments.Statements, report.Comments.Bare, null, report.Text);
+        }
+
+        public void Dispose() => runner.Dispose();
+
+        private static string InPackage(string shown) => shown[(shown.LastIndexOf('!') + 1)..];
+    }
+}
