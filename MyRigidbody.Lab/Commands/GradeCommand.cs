@@ -1,10 +1,10 @@
 using System.CommandLine;
 using RigidBodyDynamics.Judging;
+using RigidBodyDynamics.Lab.Grading;
 using RigidBodyDynamics.Lab.Grading.Judging;
 using RigidBodyDynamics.Lab.Grading.Marks;
 using RigidBodyDynamics.Lab.Grading.Pages;
 using RigidBodyDynamics.Lab.Grading.Students;
-using RigidBodyDynamics.Lab.Grading;
 using RigidBodyDynamics.Lab.Output;
 using RigidBodyDynamics.StudentScripts;
 

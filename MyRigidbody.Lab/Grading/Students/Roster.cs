@@ -1,8 +1,7 @@
 using System.Globalization;
 using System.Text.RegularExpressions;
-using CsvHelper.Configuration;
 using CsvHelper;
-using RigidBodyDynamics.Lab.Grading.Reading;
+using CsvHelper.Configuration;
 using RigidBodyDynamics.StudentScripts;
 
 namespace RigidBodyDynamics.Lab.Grading.Students;

@@ -1,8 +1,8 @@
 using System.Text;
 using NUnit.Framework;
+using RigidBodyDynamics.Lab;
 using RigidBodyDynamics.Lab.Grading.Reading;
 using RigidBodyDynamics.Lab.Grading.Students;
-using RigidBodyDynamics.Lab;
 using RigidBodyDynamics.StudentScripts;
 
 namespace RigidBodyDynamics.Tests.Grading;
