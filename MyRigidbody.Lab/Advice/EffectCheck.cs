@@ -80,7 +80,7 @@ public static class EffectCheck
             Adds();
             int forwards = Integrates(1, false, string.Empty, "Exact is", -1);
             Integrates(-1, false, " a negative time", "the way back is", forwards);
-            Integrates(1, true, " while Instant.IsHeld", "Exact4 and Exact6 are", forwards);
+            ComesBack(Integrates(1, true, " while Instant.IsHeld", "Exact4 and Exact6 are", forwards));
             HasPotential();
             return _found;
         }
@@ -157,6 +157,19 @@ public static class EffectCheck
                 Found((order > 1 ? Hint : string.Empty) + "Over{0} is the integral of At to order {1} only: it is off by {2:g3} % of the largest push in {3} s, and {4} of order {1} at most; {5}.", when, order, 100 * errors[0], Longest, who, advice[Math.Min(order, 2)]);
 
             return order;
+        }
+
+        /// <summary>What reads a velocity and has no exact flow must come back, or Exact4 and Exact6 lose their order.</summary>
+        private void ComesBack(int order)
+        {
+            double off = Most(i =>
+            {
+                Instant now = new Instant(_instants[i].Step, _instants[i].Time, isHeld: true);
+                Wrench there = Over(now, Longest, _states[i]);
+                return Apart(Over(now, -Longest, there.AppliedTo(_states[i], _mass)), Plus(default(Wrench), -1, there)) / Longest;
+            });
+            if (order < 9 && off > Error && Has(PushTraits.ReadsVelocity | PushTraits.ReadsAngularVelocity))
+                Found(Hint + "Over by −h does not take back what Over by h gave: it is off by {0:g3} % of the largest push in {1} s, and Exact4 and Exact6 are of order {2} at most; let it be an exact flow or, like the midpoint rule, one that comes back.", 100 * off, Longest, order);
         }
 
         /// <summary>

@@ -104,6 +104,21 @@ public sealed class EffectCheckTests
         new Own(Moves, (_, _) => Y, (_, h, _) => Math.Abs(h) * Y),
         "^Over a negative time is the integral of At to order 0 only: it is off by 200 % of the largest push in 0.1 s, and the way back is of order 0 at most");
 
+    [TestCase(false, 1)]
+    [TestCase(true, 0)]
+    public void Impulse_of_a_velocity_that_is_no_exact_flow_is_to_come_back(bool comesBack, int hints)
+    {
+        // v' = −v, by a step of Heun's and by the midpoint rule
+        Own drag = new(
+            Moves | PushTraits.ReadsVelocity,
+            (_, body) => -Pushes.Mass.Mass * body.Velocity,
+            (_, h, body) => -Pushes.Mass.Mass * (comesBack ? h / (1 + h / 2) : h - h * h / 2) * body.Velocity);
+
+        IEnumerable<string> found = EffectCheck.Findings(drag).Where(finding => finding.Contains("does not take back"));
+        Assert.That(found, Has.Exactly(hints).Matches("^Hint: Over by −h does not take back what Over by h gave: it is off by 0.[0-9]+ % of the largest push in 0.1 s, and Exact4 and Exact6 are of order 2 at most;"));
+        Assert.That(EffectCheck.Findings(default(MomentumDrag)).Concat(EffectCheck.Findings(new Lift(0.7))), Has.None.Contains("does not take back"));
+    }
+
     [Test]
     public void Impulse_in_which_time_passes_that_should_stand_still_is_found() => Finds(
         new Restless(Swinging),
