@@ -1,4 +1,5 @@
 using System.CommandLine;
+using System.Globalization;
 using System.Text;
 using RigidBodyDynamics.Lab.Commands;
 using RigidBodyDynamics.Lab.Output;
@@ -50,6 +51,10 @@ internal static class Program
         catch (BrokenEffectException broken)
         {
             return Refuse(broken.Message);
+        }
+        catch (Exception lacking) when (lacking.GetBaseException() is OutOfMemoryException)
+        {
+            return Refuse("out of memory: there are " + (Memory.Available / 1e6).ToString("0", CultureInfo.InvariantCulture) + " MB, and this takes more");
         }
         catch (ReaderLeftException)
         {

@@ -76,7 +76,7 @@ internal static class BenchCommand
 
         csv.Append(onMono.Csv());
         Terminal.Write(Ratios.Table([.. groups.SelectMany(group => group.Group)]));
-        using Files files = new(folder, file);
+        using Files files = new(folder, file, []);
         files.Write(Path.GetFileName(file), temporary => File.WriteAllText(temporary, csv.ToString(), new UTF8Encoding(false)));
         if (others.Rows.Count > 0)
             files.Write(EnginesFile, temporary => File.WriteAllText(temporary, others.Csv(), new UTF8Encoding(false)));

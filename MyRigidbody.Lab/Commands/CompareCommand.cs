@@ -15,8 +15,13 @@ internal static class CompareCommand
     /// <summary>How far a recording may be from the simulation, m, rad and their rates.</summary>
     public const double DefaultTolerance = 1e-3;
 
-    // each step of each frame rate is kept while it is summed up
     private const long MostSteps = 5_000_000;
+
+    // four pictures each, and some twenty bodies that are stepped
+    private const int MostPairs = 100;
+
+    // measured: what is kept of each step while a frame rate is summed up, bytes
+    private const double BytesOfStep = 150;
 
     public static Command Create()
     {
@@ -47,7 +52,6 @@ internal static class CompareCommand
     public static int Execute(string path, string folder, double tolerance)
     {
         SceneFile file = SceneReader.Read(path);
-        Simulation trajectory = Overrides.Start(path, file.Scene);
         if (file.Scene.Steps.Count > MostSteps)
         {
             throw new InputException($"{path}: steps: compare takes at most {MostSteps}, found {file.Scene.Steps.Count}");
@@ -55,13 +59,20 @@ internal static class CompareCommand
 
         return file.Recording != null
             ? RecordingComparison.Execute(file, file.Recording, folder, tolerance)
-            : Pairs(file, trajectory, folder);
+            : Pairs(file, folder);
     }
 
-    private static int Pairs(SceneFile file, Simulation trajectory, string folder)
+    private static int Pairs(SceneFile file, string folder)
     {
         Scene scene = file.Scene;
         IReadOnlyList<Pair> pairs = Pair.Of(file);
+        if (pairs.Count > MostPairs)
+        {
+            throw new InputException($"{file.Path}: bodies: compare takes at most {MostPairs} pairs, found {pairs.Count}");
+        }
+
+        Overrides.Named(file.Path, () => Memory.MustHold("steps", BytesOfStep * scene.Steps.Count));
+        Simulation trajectory = Overrides.Start(file.Path, scene);
         List<Findings> found = [];
         Terminal.WithProgress("compare " + scene.Name, report =>
         {
@@ -72,7 +83,7 @@ internal static class CompareCommand
         });
 
         Pictures.NoteIfThereAreNoFonts();
-        using Files files = new(folder, folder);
+        using Files files = new(folder, folder, file.Inputs);
         files.Write("trajectory.csv", to => WriteTrajectory(trajectory, file.Path, to));
         files.Write("apart.csv", to => File.WriteAllText(to, CompareSummary.Csv(found)));
         files.Write("summary.json", to => File.WriteAllText(to, CompareSummary.Json(scene, found)));

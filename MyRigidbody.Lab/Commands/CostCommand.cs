@@ -44,7 +44,7 @@ internal static class CostCommand
                 .Select(motion => (Func<Action<double>, CostMotion>)(_ => SolvedMotion.Read(motion.Name, motion.Until))));
         }
 
-        using Files files = new(folder, folder);
+        using Files files = new(folder, folder, paths);
         Pictures.NoteIfThereAreNoFonts();
         List<CostFindings> found = [];
         Terminal.WithProgress("cost", report =>
@@ -55,7 +55,7 @@ internal static class CostCommand
                 found.Add(CostFindings.Of(read, quick ? Effort.Quick : Effort.Whole, done => report((found.Count + 0.3 + (0.7 * done)) / motions.Count)));
             }
         });
-        Write(found, files, Report.Page.CommandOf(["cost", .. paths.Select(Report.Page.Shown), .. quick ? ["--quick"] : Array.Empty<string>()]));
+        Write(found, files, Shell.Line(["cost", .. paths.Select(Report.Page.Shown), .. quick ? ["--quick"] : Array.Empty<string>()]));
         Print(found, folder);
         return 0;
     }

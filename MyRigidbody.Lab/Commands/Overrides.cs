@@ -43,6 +43,13 @@ internal static class Overrides
         }
     }
 
+    /// <summary>Tries something; what the Core refuses is an error of the option or file of that name.</summary>
+    internal static void Named(string option, Action attempt) => Named(option, () =>
+    {
+        attempt();
+        return true;
+    });
+
     /// <summary>Makes something; what the Core refuses is an error of the option or file of that name.</summary>
     internal static T Named<T>(string option, Func<T> make)
     {

@@ -27,7 +27,7 @@ internal static class PackCommand
 
         IReadOnlyList<Asset> assets = Checkout.Gather(Checkout.Root());
         byte[] package = PackageWriter.Write(assets);
-        using Files files = new(Path.GetDirectoryName(Path.GetFullPath(path))!, path);
+        using Files files = new(Path.GetDirectoryName(Path.GetFullPath(path))!, path, []);
         files.Write(Path.GetFileName(path), to => File.WriteAllBytes(to, package));
         files.Keep();
         Print(assets, package.Length);
@@ -37,8 +37,12 @@ internal static class PackCommand
 
     private static int List(string path)
     {
-        Print(PackageReader.Read(path), new FileInfo(path).Length);
-        return 0;
+        IReadOnlyList<Asset> assets = PackageReader.Read(path);
+        Print(assets, new FileInfo(path).Length);
+        (string Path, string? Why)[] dangers = [.. assets.Select(asset => (asset.Path, Rules.Danger(asset.Path))).Where(danger => danger.Item2 != null)];
+        return dangers.Length == 0
+            ? 0
+            : throw new FellShortException($"{path}: do not import it: \"{dangers[0].Path}\" {dangers[0].Why}" + (dangers.Length > 1 ? $", and {dangers.Length - 1} paths more are like that" : string.Empty));
     }
 
     private static void Print(IReadOnlyList<Asset> assets, long packed)

@@ -1,3 +1,5 @@
+using System.Numerics;
+using System.Runtime.CompilerServices;
 using RigidBodyDynamics.Lab.Output;
 
 namespace RigidBodyDynamics.Lab.Commands;
@@ -5,12 +7,16 @@ namespace RigidBodyDynamics.Lab.Commands;
 /// <summary>All bodies of a scene: those that stand alone, and those in numbers, which are stepped together.</summary>
 internal sealed class Population
 {
+    // of fewer it is not worth while to try how much they take
+    private const int Many = 100_000, Tried = 4096;
+
     private readonly Simulation? _alone;
     private readonly List<(BodyDescription Body, Batch Batch, BodyState[] States)> _crowds = [];
 
     public Population(Scene scene, IReadOnlyDictionary<string, ManyBodies> crowds)
     {
         Steps = scene.Steps;
+        Memory.MustHold("bodies", crowds.Values.Where(crowd => crowd.Count > Many).Sum(crowd => BytesOf(crowd, scene.Steps)));
         List<BodyDescription> alone = [.. scene.Bodies.Where(body => !crowds.ContainsKey(body.Name))];
         _alone = alone.Count > 0 ? new Simulation(new Scene(scene.Name, scene.About, scene.Steps, alone)) : null;
         foreach (BodyDescription body in scene.Bodies.Where(body => crowds.ContainsKey(body.Name)))
@@ -21,6 +27,15 @@ internal sealed class Population
     }
 
     public TimeSteps Steps { get; }
+
+    /// <summary>What a crowd takes, as a small one of its kind does, whose columns have grown by doubling: half of what they took is left behind.</summary>
+    private static double BytesOf(ManyBodies crowd, TimeSteps steps)
+    {
+        long before = GC.GetAllocatedBytesForCurrentThread();
+        (crowd with { Count = Tried }).Gather(steps);
+        double each = (GC.GetAllocatedBytesForCurrentThread() - before) / 2.0 / Tried;
+        return (each * BitOperations.RoundUpToPowerOf2((uint)crowd.Count)) + ((double)Unsafe.SizeOf<BodyState>() * crowd.Count);
+    }
 
     /// <summary>How many bodies there are.</summary>
     public int Count => (_alone?.Bodies.Count ?? 0) + _crowds.Sum(crowd => crowd.States.Length);

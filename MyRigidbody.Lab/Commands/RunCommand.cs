@@ -50,30 +50,36 @@ internal static class RunCommand
             throw new InputException($"--every: must not be below 0, found {every}");
         }
 
+        if (output?.Length > 0 && report?.Length > 0 && RealPath.Same(output, report))
+        {
+            throw new InputException($"--report: must be another file than --out, found {report}");
+        }
+
         SceneFile read = SceneReader.ReadWithCrowds(path);
         Scene scene = Overrides.Apply(read.Scene, integrator, step);
-        Population simulation = Overrides.Named(path, () => new Population(scene, read.Crowds));
         if (output == null)
         {
             using StreamWriter standard = new(StandardOutput.Open(), new UTF8Encoding(false));
-            Write(simulation, every, path, standard);
+            Write(Bodies(), every, path, standard);
         }
         else
         {
-            WriteFile("--out", output, temporary =>
+            WriteFile("--out", output, read, temporary =>
             {
                 using StreamWriter file = new(temporary, append: false, new UTF8Encoding(false));
-                Write(simulation, every, path, file);
+                Write(Bodies(), every, path, file);
             });
         }
 
         if (report != null)
         {
             string command = Command(path, integrator, step, report);
-            WriteFile("--report", report, temporary => PageWriter.Write(Reports.Of(read, scene, new Population(scene, read.Crowds), command), temporary));
+            WriteFile("--report", report, read, temporary => PageWriter.Write(Reports.Of(read, scene, Bodies(), command), temporary));
         }
 
         return 0;
+
+        Population Bodies() => Overrides.Named(path, () => new Population(scene, read.Crowds));
     }
 
     private static string Command(string path, string? integrator, double? step, string report)
@@ -81,13 +87,13 @@ internal static class RunCommand
         List<string> parts = ["run", Page.Shown(path)];
         parts.AddRange(integrator != null ? ["--integrator", integrator] : []);
         parts.AddRange(step != null ? ["--step", step.Value.ToString("R", CultureInfo.InvariantCulture)] : []);
-        return Page.CommandOf([.. parts, "--report", Page.Shown(report)]);
+        return Shell.Line([.. parts, "--report", Page.Shown(report)]);
     }
 
-    private static void WriteFile(string option, string file, Action<string> write)
+    private static void WriteFile(string option, string file, SceneFile read, Action<string> write)
     {
         string folder = Path.GetDirectoryName(Path.GetFullPath(file.Length > 0 ? file : throw new InputException($"{option}: must not be empty"))) ?? throw new InputException($"{file}: is a folder");
-        using Files files = new(folder, file);
+        using Files files = new(folder, file, read.Inputs);
         files.Write(Path.GetFileName(file), write);
         files.Keep();
     }

@@ -30,6 +30,11 @@ internal sealed class RecordingComparison
             throw new InputException($"{recording.Path}: there is no such file, and compare needs the states that were recorded");
         }
 
+        if (folder.Length > 0 && RealPath.Same(folder, Path.GetDirectoryName(Path.GetFullPath(file.Path))!))
+        {
+            throw new InputException($"--out: must be another folder than the recording's own, found {folder}");
+        }
+
         RecordingComparison found = new();
         Simulation simulation = new(file.Scene);
         found.Look(simulation, recording);
@@ -40,7 +45,7 @@ internal sealed class RecordingComparison
         }
 
         Pictures.NoteIfThereAreNoFonts();
-        using Files files = new(folder, folder);
+        using Files files = new(folder, folder, file.Inputs);
         files.Write("trajectory.csv", to => CompareCommand.WriteTrajectory(new Simulation(file.Scene), file.Path, to));
         files.Write("summary.json", to => File.WriteAllText(to, found.Json(file.Scene)));
         Motion motion = Motion.Of(file.Scene, Words.All["recorded"].With(file.Scene.Bodies[0].Name).En, found._course);

@@ -49,7 +49,7 @@ internal sealed class Grader(IBench bench)
     /// <summary>Writes all files; whole, or none of them.</summary>
     public static void Write(Class all, string output)
     {
-        using Files files = new(output, output), students = new(Path.Combine(output, StudentsFolder), output);
+        using Files files = new(output, output, []), students = new(Path.Combine(output, StudentsFolder), output, []);
         foreach (Graded one in all.Submissions)
             students.Write(one.Page, to => File.WriteAllText(to, StudentPage.Html(one, all.Scheme)));
 

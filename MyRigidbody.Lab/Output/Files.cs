@@ -7,14 +7,17 @@ internal sealed class Files : IDisposable
 {
     private readonly string _folder;
     private readonly string _name;
+    private readonly string[] _inputs;
     private readonly List<(string Temporary, string Final)> _written = [];
     private readonly List<PosixSignalRegistration> _signals = [];
 
     /// <summary>Files for a folder, which is made if it is not there.</summary>
     /// <param name="folder">The folder.</param>
     /// <param name="name">How the user called what is to be written; named in errors.</param>
-    public Files(string folder, string name)
+    /// <param name="inputs">The files that were read; none of them is ever written over.</param>
+    public Files(string folder, string name, IEnumerable<string> inputs)
     {
+        _inputs = [.. inputs];
         _name = name.Length > 0 ? name : throw new InputException("--out: must not be empty");
         _folder = Path.GetFullPath(folder);
         if (_folder == "/dev")
@@ -36,22 +39,16 @@ internal sealed class Files : IDisposable
     /// <summary>Writes one file, by a function that is given the path to write to.</summary>
     public void Write(string fileName, Action<string> write)
     {
+        string final = Path.Combine(_folder, fileName);
+        Try(() => MustBeFree(fileName, final));
         string temporary = Path.Combine(_folder, "." + Guid.NewGuid().ToString("N") + Path.GetExtension(fileName));
-        _written.Add((temporary, Path.Combine(_folder, fileName)));
+        _written.Add((temporary, final));
         Try(() => write(temporary));
     }
 
     /// <summary>Puts all files in their places.</summary>
     public void Keep()
     {
-        foreach ((string _, string final) in _written)
-        {
-            if (Directory.Exists(final))
-            {
-                throw new InputException($"{_name}: is a folder, and a file of this name is to be written");
-            }
-        }
-
         Try(() => _written.ForEach(file => File.Move(file.Temporary, file.Final, overwrite: true)));
         _written.Clear();
     }
@@ -61,6 +58,27 @@ internal sealed class Files : IDisposable
     {
         _signals.ForEach(signal => signal.Dispose());
         TakeAway();
+    }
+
+    /// <summary>Nothing but a file that is not an input may stand where a file is to be written.</summary>
+    private void MustBeFree(string fileName, string final)
+    {
+        string name = Path.GetFileName(_name) == fileName ? _name : Path.Combine(_name, fileName);
+        if (Directory.Exists(final))
+        {
+            throw new InputException($"{name}: is a folder, and a file of this name is to be written");
+        }
+
+        if (Array.Find(_inputs, input => RealPath.Same(input, final)) is not null)
+        {
+            throw new InputException($"{name}: is what was read, and would be written over");
+        }
+
+        // a link that leads nowhere is there too
+        if ((File.Exists(final) || new FileInfo(final).LinkTarget != null) && !RealPath.IsPlainFile(final))
+        {
+            throw new InputException($"{name}: is a link, a pipe or a device, and a file would take its place");
+        }
     }
 
     private void TakeAway()

@@ -1,3 +1,5 @@
+using RigidBodyDynamics.Lab.Output;
+
 namespace RigidBodyDynamics.Lab.Package;
 
 /// <summary>What goes into the student's package, gathered from a checkout of the repository.</summary>
@@ -57,7 +59,7 @@ internal static class Checkout
         byte[] meta = File.Exists(Path.Combine(root, path + ".meta"))
             ? Bytes(root, path + ".meta")
             : throw new InputException($"{path}: has no meta; bash .ci/metas writes one");
-        bool isFolder = Directory.Exists(Path.Combine(root, path));
+        bool isFolder = Directory.Exists(Path.Combine(root, path)) && new DirectoryInfo(Path.Combine(root, path)).LinkTarget == null;
         return new Asset(into, Meta.GuidOf(path + ".meta", meta), isFolder ? null : Bytes(root, path), meta);
     }
 
@@ -67,6 +69,10 @@ internal static class Checkout
 
     private static byte[] Bytes(string root, string path)
     {
+        // a link may lead to anything, and a pipe has no end
+        if (Path.Exists(Path.Combine(root, path)) && !RealPath.IsPlainFile(Path.Combine(root, path)))
+            throw new InputException($"{path}: is no file of its own but a link, a pipe or a device");
+
         try
         {
             return File.ReadAllBytes(Path.Combine(root, path));

@@ -22,7 +22,11 @@ internal static class PackageReader
         {
             throw new InputException($"{path}: cannot be read: {refused.Message.ReplaceLineEndings(" ")}");
         }
-        catch (Exception wrong) when (wrong is InvalidDataException or FormatException or ArgumentException or OverflowException or NotSupportedException)
+        catch (Exception size) when (size is ArgumentOutOfRangeException or OverflowException)
+        {
+            throw new InputException($"{path}: is no Unity package: a header names a size that the file does not have");
+        }
+        catch (Exception wrong) when (wrong is InvalidDataException or FormatException or ArgumentException or NotSupportedException)
         {
             throw new InputException($"{path}: is no Unity package: {wrong.Message.ReplaceLineEndings(" ")}");
         }
@@ -31,9 +35,7 @@ internal static class PackageReader
     private static List<Asset> Read(string path, Stream packed)
     {
         SortedDictionary<string, Dictionary<string, byte[]>> folders = new(StringComparer.Ordinal);
-        using GZipStream zip = new(packed, CompressionMode.Decompress);
-        using TarReader tar = new(zip);
-        long bytes = 0;
+        using TarReader tar = new(Unpacked(packed));
         while (tar.GetNextEntry(copyData: false) is TarEntry entry)
         {
             string[] parts = entry.Name.TrimEnd('/').Split('/');
@@ -41,8 +43,8 @@ internal static class PackageReader
             if (entry.EntryType is TarEntryType.Directory || parts.Length != 2)
                 continue;
 
-            if ((bytes += entry.Length) > MostBytes)
-                throw new InvalidDataException($"it unpacks to more than {MostBytes} bytes");
+            if (entry.EntryType is not (TarEntryType.RegularFile or TarEntryType.V7RegularFile))
+                throw new InvalidDataException($"{entry.Name} is no file but a {entry.EntryType}");
 
             if (!folders.TryGetValue(parts[0], out Dictionary<string, byte[]>? files))
                 folders[parts[0]] = files = [];
@@ -55,10 +57,29 @@ internal static class PackageReader
         return [.. folders.Select(folder => Asset(path, folder.Key, folder.Value))];
     }
 
+    /// <summary>All of it before any of it is read: names in headers may say that they are a gigabyte long, and be it.</summary>
+    private static MemoryStream Unpacked(Stream packed)
+    {
+        using GZipStream zip = new(packed, CompressionMode.Decompress);
+        MemoryStream tar = new();
+        byte[] piece = new byte[1 << 16];
+        for (int read; (read = zip.Read(piece)) > 0;)
+        {
+            tar.Write(piece, 0, read);
+            if (tar.Length > MostBytes)
+                throw new InvalidDataException($"it unpacks to more than {MostBytes} bytes");
+        }
+
+        tar.Position = 0;
+        return tar;
+    }
+
     private static Asset Asset(string path, string guid, Dictionary<string, byte[]> files)
     {
         byte[] File(string name) => files.GetValueOrDefault(name) ?? throw new InputException($"{path}: {guid}: has no {name}");
 
-        return new Asset(Encoding.UTF8.GetString(File("pathname")), guid, files.GetValueOrDefault("asset"), File("asset.meta"));
+        // some editors write a second line, which none reads
+        string inProject = Encoding.UTF8.GetString(File("pathname")).Split('\n')[0].TrimEnd('\r');
+        return new Asset(inProject, guid, files.GetValueOrDefault("asset"), File("asset.meta"));
     }
 }

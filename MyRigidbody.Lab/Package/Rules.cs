@@ -1,9 +1,11 @@
 using System.Text;
+using System.Text.RegularExpressions;
+using RigidBodyDynamics.Lab.Output;
 
 namespace RigidBodyDynamics.Lab.Package;
 
 /// <summary>What must be true of a package for every editor to import it: each of these has broken somebody's.</summary>
-internal static class Rules
+internal static partial class Rules
 {
     // longer paths fail on Windows once they stand in somebody's project
     private const int LongestPath = 120;
@@ -51,12 +53,27 @@ internal static class Rules
         if (!path.StartsWith("Assets/MyRigidbody", StringComparison.Ordinal) || path.Length > LongestPath)
             throw new InputException($"{path}: must begin with Assets/MyRigidbody and have at most {LongestPath} characters");
 
+        if (Reserved().IsMatch(path))
+            throw new InputException($"{path}: has a name that Windows keeps for a device");
+
         if (path.Any(c => c is < ' ' or > '~' or '\\' or ':' or '*' or '?' or '"' or '<' or '>' or '|')
             || path.Split('/').Any(part => part.Length == 0 || part.EndsWith('.') || part.EndsWith(' ')))
         {
             throw new InputException($"{path}: has a character that not every file system takes");
         }
     }
+
+    /// <summary>Why no editor should import an asset of somebody's package at this path; nothing where it may.</summary>
+    public static string? Danger(string path) =>
+        Visible.Line(path) != path ? "has characters that nobody sees"
+        : !path.StartsWith("Assets/", StringComparison.Ordinal) && !path.StartsWith("Packages/", StringComparison.Ordinal) && path is not ("Assets" or "Packages") ? "is outside of Assets and Packages"
+        : path.Split('/', '\\').Any(part => part is ".." or ".") ? "leads out of its folder"
+        : path.Contains(':') ? "names a drive or a stream"
+        : Reserved().IsMatch(path) ? "has a name that Windows keeps for a device"
+        : null;
+
+    [GeneratedRegex(@"(^|[/\\])\s*(con|prn|aux|nul|conin\$|conout\$|(com|lpt)[0-9¹²³])\s*(\.[^/\\]*)?($|[/\\])", RegexOptions.IgnoreCase | RegexOptions.CultureInvariant)]
+    private static partial Regex Reserved();
 
     private static void Content(Asset asset)
     {

@@ -29,12 +29,13 @@ internal sealed record Page(Word Name, string About, string File, string Command
         RuntimeInformation.FrameworkDescription,
         Environment.ProcessorCount);
 
-    /// <summary>A command with its arguments; what would not come through a shell whole is quoted.</summary>
-    public static string CommandOf(params string[] parts) =>
-        string.Join(' ', parts.Select(part => part.All(letter => char.IsLetterOrDigit(letter) || "-_./\\:=".Contains(letter)) ? part : $"\"{part}\""));
-
     /// <summary>A path as the page shows it: as it was typed, or the file alone where it names the machine's folders.</summary>
-    public static string Shown(string path) => Path.IsPathRooted(path) ? Path.GetFileName(path) : path;
+    public static string Shown(string path)
+    {
+        string name = Path.IsPathRooted(path) ? Path.GetFileName(path) : path;
+        // no option
+        return name.StartsWith('-') ? "./" + name : name;
+    }
 }
 
 /// <summary>A part of a page; the template has a case for each kind.</summary>

@@ -57,7 +57,7 @@ internal static class Reports
     }
 
     private static string Compare(string path) =>
-        path == Gallery.Lab ? string.Empty : Report.Page.CommandOf("compare", Report.Page.Shown(path));
+        path == Gallery.Lab ? string.Empty : Shell.Line("compare", Report.Page.Shown(path));
 
     private static IEnumerable<(string Name, BodyPlan Plan)> Plans(Simulation simulation) =>
         simulation.Bodies.Select(body => (body.Name, body.Plan));

@@ -9,7 +9,7 @@ internal static class BodyReader
     public static BodyDescription Read(Place place, Dictionary<string, MassProperties> solidBoxes, Dictionary<string, ManyBodies> crowds)
     {
         Fields fields = place.Fields();
-        string name = fields.Required("name").Text();
+        string name = fields.Required("name").ShortText();
         Place? integrator = fields.Optional("integrator");
         CatalogueRow row = integrator is Place named
             ? named.Make(() => Catalogue.Find(named.Text()))

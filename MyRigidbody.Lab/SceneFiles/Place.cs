@@ -12,6 +12,9 @@ namespace RigidBodyDynamics.Lab;
 /// <param name="Inner">Its number if it stands in a list within that list.</param>
 internal readonly record struct Place(string File, Fields? Above, string Name, JsonElement Value, int? Index = null, int? Inner = null)
 {
+    /// <summary>Names may have so many characters.</summary>
+    public const int LongestName = 1000;
+
     private const int MostShown = 40;
 
     /// <summary>For instance <c>bodies[0].effects[2].from</c>; empty for the whole file.</summary>
@@ -55,6 +58,11 @@ internal readonly record struct Place(string File, Fields? Above, string Name, J
 
     /// <summary>A text.</summary>
     public string Text() => Value.ValueKind == JsonValueKind.String ? Value.GetString()! : throw Not("a text");
+
+    /// <summary>A text that is written again and again: into every row of a table, into titles.</summary>
+    public string ShortText() => Text() is string name && name.Length <= LongestName
+        ? name
+        : throw Wrong(string.Create(CultureInfo.InvariantCulture, $"must have at most {LongestName} characters, found {Text().Length}"));
 
     /// <summary>One of some words; returns its number.</summary>
     public int OneOf(params string[] words)
@@ -110,6 +118,13 @@ internal readonly record struct Place(string File, Fields? Above, string Name, J
         body.Check();
         // what its rule refuses; a simulation with all its effects would be much larger than the file
         return new Simulation(TimeSteps.Every(1), body.Copy(body.Name, body.Mass).Without(_ => true));
+    });
+
+    /// <summary>Tries something with what stands here; what is refused is an error of this place.</summary>
+    public void Make(Action attempt) => Make(() =>
+    {
+        attempt();
+        return true;
     });
 
     /// <summary>Makes something of what stands here; what the library refuses is an error of this place.</summary>

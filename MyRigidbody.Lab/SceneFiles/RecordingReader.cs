@@ -8,7 +8,7 @@ internal static class RecordingReader
     {
         Fields fields = root.Fields();
         fields.Required("schema");
-        string name = fields.Required("name").Text();
+        string name = fields.Required("name").ShortText();
         string about = fields.Or("about", string.Empty, place => place.Text());
         long count = fields.Required("steps").Count();
         Place dt = fields.Required("dt");

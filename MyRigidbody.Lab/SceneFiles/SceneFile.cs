@@ -11,4 +11,8 @@ internal sealed record SceneFile(
     Scene Scene,
     IReadOnlyDictionary<string, ManyBodies> Crowds,
     IReadOnlyDictionary<string, MassProperties> SolidBoxes,
-    Recording? Recording);
+    Recording? Recording)
+{
+    /// <summary>The files it was read from.</summary>
+    public IEnumerable<string> Inputs => Recording == null ? [Path] : [Path, Recording.Path];
+}

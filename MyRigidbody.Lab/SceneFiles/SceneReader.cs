@@ -25,7 +25,7 @@ internal static class SceneReader
 
     private static SceneFile Scene(Fields fields)
     {
-        string name = fields.Required("name").Text();
+        string name = fields.Required("name").ShortText();
         string about = fields.Or("about", string.Empty, place => place.Text());
         fields.Or("$schema", string.Empty, place => place.Text());
         TimeSteps steps = Steps(fields);
@@ -36,6 +36,7 @@ internal static class SceneReader
         Dictionary<string, ManyBodies> crowds = [];
         List<BodyDescription> bodies = [];
         HashSet<string> names = [];
+        double bytes = 0;
         foreach (Place place in list.List("a list of bodies"))
         {
             BodyDescription body = BodyReader.Read(place, solidBoxes, crowds);
@@ -46,7 +47,10 @@ internal static class SceneReader
 
             place.Check(body);
             bodies.Add(body);
+            bytes += Memory.OfStretches(body, steps);
         }
+
+        list.Make(() => Memory.MustHold("their effects", bytes));
 
         if (bodies.Count == 0)
         {

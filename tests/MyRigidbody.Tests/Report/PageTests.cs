@@ -112,13 +112,6 @@ public sealed partial class PageTests
         Assert.That(facts, Does.Contain($"{Environment.ProcessorCount} processors").And.Contain(".NET 10"));
     }
 
-    [TestCase("lab.json", "lab.json")]
-    [TestCase("a b.json", "\"a b.json\"")]
-    [TestCase("../课/x.json", "../课/x.json")]
-    [TestCase("a;b", "\"a;b\"")]
-    public void Arguments_are_quoted_where_a_shell_would_part_them(string argument, string shown) =>
-        Assert.That(Page.CommandOf("run", argument), Is.EqualTo("run " + shown));
-
     /// <summary>The text of an element in one language, with a line for each cell.</summary>
     private static string English(IElement element)
     {
