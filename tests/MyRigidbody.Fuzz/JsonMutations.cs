@@ -1,3 +1,4 @@
+using System.Globalization;
 using System.Text;
 using System.Text.Json;
 
@@ -39,7 +40,7 @@ internal sealed class JsonMutations
         Node node = nodes[random.Next(nodes.Count)], other = nodes[random.Next(nodes.Count)];
         int first = node.Name >= 0 ? node.Name : node.Start;
         byte[] value = json[node.Start..node.End], whole = json[first..node.End];
-        switch (random.Next(20))
+        switch (random.Next(22))
         {
             case 0 or 1 or 2 or 3:
                 return Put(json, node.Start, node.End, Text(OfItsKind(node, random)));
@@ -70,11 +71,41 @@ internal sealed class JsonMutations
                 int times = 1 + random.Next(whole.Length < 100 ? 1000 : 20);
                 byte[] more = [.. whole, (byte)','];
                 return Put(json, first, first, [.. Enumerable.Repeat(more, times).SelectMany(bytes => bytes)]);
+            case 20:
+                return Windows(json, nodes, random);
+            case 21:
+                return Named(json, nodes, random);
             case 18:
                 return Put(json, node.Start, node.Start, Text($"{_names[random.Next(_names.Length)]}: "));
             default:
                 return Put(json, first, first, Text($"{_names[random.Next(_names.Length)]}: {Any(random)}, "));
         }
+    }
+
+    /// <summary>Puts up to a thousand effects, each with a window of its own, in the place of those of a body.</summary>
+    private static byte[] Windows(byte[] json, List<Node> nodes, Random random)
+    {
+        Node[] effects = [.. nodes.Where(node => node.Type == JsonTokenType.StartArray && node.Name >= 0 && Name(json, node) == "\"effects\"")];
+        if (effects.Length == 0)
+            return json;
+
+        Node list = effects[random.Next(effects.Length)];
+        int count = 1 + random.Next(random.Next(2) == 0 ? 20 : 1002);
+        IEnumerable<string> all = Enumerable.Range(0, count).Select(_ => string.Create(
+            CultureInfo.InvariantCulture,
+            $"{{\"{(random.Next(2) == 0 ? "force" : "gravity")}\":[1,0,0],\"from\":{random.NextDouble():0.###},\"to\":{(random.Next(4) == 0 ? "1e300" : (1 + random.NextDouble()).ToString("0.###", CultureInfo.InvariantCulture))}}}"));
+        return Put(json, list.Start, list.End, Text("[" + string.Join(',', all) + "]"));
+    }
+
+    /// <summary>Calls the scene or a body something that nobody is called.</summary>
+    private static byte[] Named(byte[] json, List<Node> nodes, Random random)
+    {
+        Node[] names = [.. nodes.Where(node => node.Type == JsonTokenType.String && node.Name >= 0 && Name(json, node) == "\"name\"")];
+        if (names.Length == 0)
+            return json;
+
+        Node name = names[random.Next(names.Length)];
+        return Put(json, name.Start, name.End, Text(Hostile.Texts[random.Next(Hostile.Texts.Length)]));
     }
 
     private static string Name(byte[] json, Node node)

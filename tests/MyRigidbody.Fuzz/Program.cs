@@ -30,13 +30,13 @@ internal static class Program
         string folder = Path.GetFullPath(Path.Combine("out", "fuzz"));
         Directory.CreateDirectory(folder);
         Tally tally = new();
-        int findings = 0;
-        Terminal.WithProgress("fuzz", report => findings = Run(count, seed, folder, tally, report));
-        Console.WriteLine(tally);
+        int findings = 0, namesShown = 0;
+        Terminal.WithProgress("fuzz", report => (findings, namesShown) = Run(count, seed, folder, tally, report));
+        Console.WriteLine($"{tally}; {namesShown} names shown or set off in rows");
         return findings == 0 ? 0 : 1;
     }
 
-    private static int Run(int count, int seed, string folder, Tally tally, Action<double> report)
+    private static (int Findings, int NamesShown) Run(int count, int seed, string folder, Tally tally, Action<double> report)
     {
         int findings = 0;
         Input input = null!;
@@ -68,7 +68,7 @@ internal static class Program
             report((double)i / count);
         }
 
-        return findings;
+        return (findings, reading.NamesShown);
 
         void Found(string what)
         {

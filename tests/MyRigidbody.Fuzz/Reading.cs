@@ -1,6 +1,8 @@
 using System.Buffers;
+using System.Globalization;
 using RigidBodyDynamics.Lab;
 using RigidBodyDynamics.Lab.Commands;
+using RigidBodyDynamics.Lab.Output;
 
 namespace RigidBodyDynamics.Fuzz;
 
@@ -32,7 +34,7 @@ internal sealed class Reading(string folder)
     /// <summary>How many times the size of a file reading it may allocate.</summary>
     public const double MostTimes = 20;
 
-    private const int MostSteps = 5, MostBodies = 50;
+    private const int MostSteps = 5, MostBodies = 50, MostOfOneKind = 20, Cells = 21;
 
     /// <summary>Where the input lies while it is read.</summary>
     public string Path { get; } = System.IO.Path.Combine(folder, "input.json");
@@ -56,7 +58,7 @@ internal sealed class Reading(string folder)
         if (Times > MostTimes)
             throw new FoundException($"takes {allocated} bytes to read {input.Size}");
 
-        return file == null ? Outcome.Refused : Simulate(file.Scene);
+        return file == null ? Outcome.Refused : Simulate(file);
     }
 
     /// <summary>What is in the file; null if it is refused.</summary>
@@ -67,17 +69,42 @@ internal sealed class Reading(string folder)
         long before = GC.GetAllocatedBytesForCurrentThread();
         try
         {
-            file = SceneReader.Read(Path);
+            file = SceneReader.ReadWithCrowds(Path);
         }
         catch (InputException refused)
         {
-            if (!refused.Message.StartsWith(folder, StringComparison.Ordinal) || refused.Message.Any(char.IsControl))
+            if (!refused.Message.StartsWith(folder, StringComparison.Ordinal) || HasHidden(refused.Message))
                 throw new FoundException("is refused, but not in one line that names the file: " + refused.Message);
         }
 
         allocated = GC.GetAllocatedBytesForCurrentThread() - before;
         return file;
     }
+
+    /// <summary>A row is a line of 21 cells, sends nothing to a terminal, is no formula, and its name reads back.</summary>
+    private void Look(string table, string[] names)
+    {
+        string[] lines = table.Split('\n');
+        if (lines.Length != names.Length + 1)
+            throw new FoundException($"has {names.Length} bodies and {lines.Length - 1} rows");
+
+        for (int i = 0; i < names.Length; i++)
+        {
+            // all other cells are numbers
+            int end = lines[i].Length;
+            for (int cell = 1; cell < Cells; cell++)
+                end = lines[i].LastIndexOf(',', end - 1);
+
+            string first = lines[i][..end], bare = first.StartsWith('"') ? first[1..^1].Replace("\"\"", "\"", StringComparison.Ordinal) : first;
+            if (HasHidden(lines[i]) || Csv.Text(bare) != names[i] || ("=+-@".Contains(bare[0]) && !double.TryParse(bare, CultureInfo.InvariantCulture, out _)))
+                throw new FoundException("has a row that is not what it seems: " + lines[i]);
+
+            NamesShown += first == names[i] ? 0 : 1;
+        }
+    }
+
+    private static bool HasHidden(string text) => text.Any(letter => letter is not ('\u200C' or '\u200D')
+        && char.GetUnicodeCategory(letter) is UnicodeCategory.Control or UnicodeCategory.Format or UnicodeCategory.LineSeparator or UnicodeCategory.ParagraphSeparator);
 
     /// <summary>
     /// The JSON library rents its table of tokens, 12 bytes each, and gives it back; whether the pool has one or makes one
@@ -89,18 +116,26 @@ internal sealed class Reading(string folder)
             ArrayPool<byte>.Shared.Return(ArrayPool<byte>.Shared.Rent((int)length));
     }
 
-    private Outcome Simulate(Scene scene)
+    /// <summary>How many names would have reached a terminal or a spreadsheet as something else than text.</summary>
+    public int NamesShown { get; private set; }
+
+    private Outcome Simulate(SceneFile file)
     {
+        Scene scene = new(file.Scene.Name, file.Scene.About, file.Scene.Steps, [.. file.Scene.Bodies.Take(MostBodies)]);
+        using StringWriter table = new();
+        TrajectoryCsv csv = new(table);
         try
         {
-            Simulation simulation = new(new Scene(scene.Name, scene.About, scene.Steps, [.. scene.Bodies.Take(MostBodies)]));
+            Population bodies = new(scene, file.Crowds.ToDictionary(crowd => crowd.Key, crowd => crowd.Value with { Count = Math.Min(MostOfOneKind, crowd.Value.Count) }));
             long steps = Math.Min(MostSteps, scene.Steps.Count);
             for (int i = 0; i < steps; i++)
             {
-                simulation.Step();
-                RunCommand.MustBeFinite(simulation, Path);
+                bodies.Step(1);
+                bodies.MustBeFinite(Path);
             }
 
+            bodies.WriteRows(csv);
+            Look(table.ToString(), [.. bodies.States(int.MaxValue).Select(body => body.Name)]);
             return Outcome.Ran;
         }
         catch (ArgumentException)
