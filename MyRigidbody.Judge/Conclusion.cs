@@ -39,6 +39,8 @@ namespace RigidBodyDynamics.Judging
             if (chain.GainIsRight)
             {
                 _marks[step] = Mark.Right;
+                if (chain.Code != null)
+                    Doubtful(Words.Finding(step, chain.Code, "I⁻¹ τ", "I⁻¹ (τ − ω × I ω)"));
                 return;
             }
 

@@ -1,5 +1,6 @@
 using System;
 using System.Collections.Generic;
+using System.Linq;
 
 namespace RigidBodyDynamics.Judging
 {
@@ -13,7 +14,8 @@ namespace RigidBodyDynamics.Judging
         public static Recording Record(ILaboratory laboratory)
         {
             Bench bench = new Bench(laboratory);
-            Player player = new Player(bench, new RoleFinder(bench).Find());
+            IReadOnlyDictionary<Role, string> roles = new RoleFinder(bench).Find();
+            Player player = new Player(bench, roles);
             List<Run> runs = new List<Run>
             {
                 player.Play("lab", Settings.Cube, 1, Keyboard(1, 3000)),
@@ -21,7 +23,7 @@ namespace RigidBodyDynamics.Judging
                 player.Play("states", Settings.TurnedBox, 2, States(3, 480, _ => FrameInput.FixedDelta)),
                 player.Play("frame rates", Settings.TurnedBox, 1, States(4, 320, random => 1.0 / (30 + 15 * random.Next(5)))),
             };
-            return new Recording(runs);
+            return new Recording(runs, roles.ToDictionary(r => r.Key.ToString(), r => r.Value.Replace(Variable.ScalarFirstPrefix, "")));
         }
 
         /// <summary>Somebody at the keyboard: at rest at first, then one key, then whatever comes.</summary>

@@ -117,9 +117,11 @@ namespace RigidBodyDynamics.Judging
             Dictionary<Role, Variable> assigned = new Dictionary<Role, Variable>();
             foreach (KeyValuePair<Role, string> role in _roles)
             {
-                Variable variable = _bench.Variables.FirstOrDefault(v => v.Name == role.Value && v.Shape == RoleNames.ShapeOf(role.Key));
+                bool isScalarFirst = role.Value.StartsWith(Variable.ScalarFirstPrefix, System.StringComparison.Ordinal);
+                string name = isScalarFirst ? role.Value.Substring(Variable.ScalarFirstPrefix.Length) : role.Value;
+                Variable variable = _bench.Variables.FirstOrDefault(v => v.Name == name && v.Shape == RoleNames.ShapeOf(role.Key));
                 if (variable != null)
-                    assigned[role.Key] = variable;
+                    assigned[role.Key] = isScalarFirst ? variable.ScalarFirst() : variable;
             }
 
             return assigned;

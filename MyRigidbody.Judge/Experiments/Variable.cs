@@ -17,6 +17,8 @@ namespace RigidBodyDynamics.Judging
     /// <summary>A variable of the script as a list of numbers: 1; x y z; x y z w; or nine, row by row.</summary>
     internal sealed class Variable
     {
+        public const string ScalarFirstPrefix = "scalar first: ";
+
         private readonly Func<double[]> _read;
         private readonly Action<double[]> _write;
 
@@ -93,7 +95,7 @@ namespace RigidBodyDynamics.Judging
 
         /// <summary>The same numbers in another order: <c>w x y z</c> read as <c>x y z w</c>.</summary>
         public Variable ScalarFirst() => new Variable(
-            Name,
+            ScalarFirstPrefix + Name,
             Shape,
             IsStatic,
             () => { double[] q = _read(); return new[] { q[1], q[2], q[3], q[0] }; },

@@ -6,6 +6,9 @@ namespace RigidBodyDynamics.Judging
     /// <summary>Step 3 or 4 through all frames, with the reading that fits the most of them.</summary>
     internal sealed class Carry
     {
+        /// <summary>Beyond half a turn in a frame, in radians, a turn is no longer the one that was meant.</summary>
+        private const double MostTurned = 3;
+
         private readonly Reading _reading;
         private readonly string _form;
 
@@ -33,29 +36,29 @@ namespace RigidBodyDynamics.Judging
 
         /// <summary>Step 3: x ← x + Δt v.</summary>
         public static Carry OfPosition(Chain chain) => Best(chain, null, o => o.Moved, (o, d) =>
-            4e-7 * (o.Before.Position.Length + o.After.Position.Length) + 1e-5 * d.Length + 1e-7);
+            4e-7 * (o.Before.Position.Length + o.After.Position.Length) + 1e-5 * d.Length + 1e-7, 1e6);
 
         /// <summary>Step 4: by the formula; else by the exact turn, or by Euler angles of a small turn, if one of them is right.</summary>
         public static Carry OfOrientation(Chain chain)
         {
-            Carry formula = Best(chain, null, o => Turns.FirstOrder(o.Turn), Tolerance);
+            Carry formula = Best(chain, null, o => Turns.FirstOrder(o.Turn), Tolerance, MostTurned);
             if (formula.IsRight)
                 return formula;
-            Carry exact = Best(chain, "exact-turn", o => Turns.Exact(o.Turn), Tolerance);
+            Carry exact = Best(chain, "exact-turn", o => Turns.Exact(o.Turn), Tolerance, MostTurned);
             if (exact.IsRight)
                 return exact;
-            Carry euler = Best(chain, "euler-turn", o => Turns.Euler(o.Turn), Tolerance);
+            Carry euler = Best(chain, "euler-turn", o => Turns.Euler(o.Turn), Tolerance, MostTurned);
             return euler.IsRight ? euler : formula;
         }
 
         private static double Tolerance(Observation o, Vector turn) => Turns.Tolerance(turn);
 
-        private static Carry Best(Chain chain, string form, Func<Observation, Vector> carried, Func<Observation, Vector, double> tolerance)
+        private static Carry Best(Chain chain, string form, Func<Observation, Vector> carried, Func<Observation, Vector, double> tolerance, double longest)
         {
             Carry best = null;
             foreach (Reading reading in Reading.Of(chain))
             {
-                Carry carry = With(reading, form, chain, carried, tolerance);
+                Carry carry = With(reading, form, chain, carried, tolerance, longest);
                 if (best == null || carry.Missed.Count < best.Missed.Count)
                     best = carry;
                 if (best.IsRight)
@@ -65,7 +68,7 @@ namespace RigidBodyDynamics.Judging
             return best;
         }
 
-        private static Carry With(Reading reading, string form, Chain chain, Func<Observation, Vector> carried, Func<Observation, Vector, double> tolerance)
+        private static Carry With(Reading reading, string form, Chain chain, Func<Observation, Vector> carried, Func<Observation, Vector, double> tolerance, double longest)
         {
             List<int> missed = new List<int>();
             int seen = 0;
@@ -73,7 +76,7 @@ namespace RigidBodyDynamics.Judging
             {
                 Observation o = chain.Links[i].At;
                 Vector expected = chain.Step.At(o) * reading.Velocity(chain, i);
-                if (!expected.IsFinite || !o.Before.Position.IsFinite || !o.Before.Orientation.IsFinite)
+                if (!expected.IsFinite || expected.Length > longest || !o.Before.Position.IsFinite || !o.Before.Orientation.IsFinite)
                     continue;
                 seen += expected.Length > 1e-3 ? 1 : 0;
                 // of a velocity that nearly stops, the factor of step 5 is not seen

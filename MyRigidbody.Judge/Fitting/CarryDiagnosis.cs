@@ -27,7 +27,7 @@ namespace RigidBodyDynamics.Judging
         public CarryDiagnosis(Chain chain, IEnumerable<CarryShape> shapes, Func<Observation, Vector, double> tolerance)
         {
             Share = -1;
-            Gains = new Samples();
+            Gains = new Samples(2e-3);
             foreach (CarryShape shape in shapes)
             {
                 foreach (Reading reading in new[] { Reading.New, Reading.Old })
@@ -68,13 +68,13 @@ namespace RigidBodyDynamics.Judging
 
         private void Try(Chain chain, CarryShape shape, Reading reading, Func<Observation, Vector, double> tolerance)
         {
-            Samples gains = new Samples();
+            Samples gains = new Samples(2e-3);
             int seen = 0;
             for (int i = 0; i < chain.Links.Count; i++)
             {
                 Observation o = chain.Links[i].At;
                 Vector velocity = reading.Velocity(chain, i), carried = shape.Carried(o);
-                if (!velocity.IsFinite || !carried.IsFinite || velocity.Length < 0.3 || velocity.Length > 1e4)
+                if (!o.IsVaried || !velocity.IsFinite || !carried.IsFinite || velocity.Length < 0.3 || velocity.Length > 1e4)
                     continue;
                 seen++;
                 Coefficients one = Coefficients.Of(carried, velocity);

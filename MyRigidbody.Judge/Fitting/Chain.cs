@@ -9,12 +9,14 @@ namespace RigidBodyDynamics.Judging
     {
         private readonly Match[] _matches;
 
-        public Chain(IReadOnlyList<Link> links, TimeStep step, bool decaysFirst)
+        public Chain(Links links, TimeStep step, Order order)
         {
-            Links = links;
+            Source = links.Source;
+            Code = links.Code;
+            Links = links.All;
             Step = step;
-            DecaysFirst = decaysFirst;
-            _matches = links.Select(link => new Match(link, step.At(link.At), decaysFirst)).ToArray();
+            Order = order;
+            _matches = Links.Select(link => new Match(link, step.At(link.At), order)).ToArray();
             ForgiveWhatWasKept();
             Resolve();
             GainIsRight = _matches.All(m => m.Miss != Miss.Gain && m.Miss != Miss.Both);
@@ -23,10 +25,17 @@ namespace RigidBodyDynamics.Judging
 
         public IReadOnlyList<Link> Links { get; }
 
+        /// <summary>Where the force or the torque was taken from.</summary>
+        public Source Source { get; }
+
         public TimeStep Step { get; }
 
-        /// <summary>The factor is applied at the beginning of the frame, before the gain.</summary>
-        public bool DecaysFirst { get; }
+        /// <summary>What an instructor decides about the gain; null: it is the sheet's.</summary>
+        public string Code { get; }
+
+        public Order Order { get; }
+
+        public bool DecaysFirst => Order == Order.DecayThenGain;
 
         public bool GainIsRight { get; }
 
@@ -43,10 +52,28 @@ namespace RigidBodyDynamics.Judging
         /// <summary>The velocity between gain and decay, as the script had it; taken from what the frame left.</summary>
         public Vector Gained(int link)
         {
-            double decay = _matches[link].Decay;
+            double decay = Order == Order.GainThenDecay ? _matches[link].Decay : Sheet.Decay;
             if (DecaysFirst)
                 return Links[link].After;
             return (1 / (double.IsNaN(decay) || Math.Abs(decay) < 1e-3 ? Sheet.Decay : decay)) * Links[link].After;
+        }
+
+        /// <summary>Where the factor is off, all velocities are of one length: a limit has been put to them.</summary>
+        public bool IsLimited
+        {
+            get
+            {
+                double[] lengths = Links.Where((l, i) => l.At.IsVaried && (_matches[i].Miss == Miss.Decay || _matches[i].IsBlamed)).Select(l => l.After.Length).ToArray();
+                return lengths.Length > 5 && lengths.Max() - lengths.Min() < 1e-3 * lengths.Max();
+            }
+        }
+
+        private bool IsOff(Miss kind, bool isVaried) => Enumerable.Range(0, _matches.Length).Any(i => _matches[i].Miss == kind && Links[i].At.IsVaried == isVaried);
+
+        private void Blame(Miss from, Miss to, double decayWhereFree)
+        {
+            foreach (Match match in _matches.Where(m => m.Miss == from))
+                match.Blame(to, decayWhereFree);
         }
 
         /// <summary>The first frame with one of the misses.</summary>
@@ -75,12 +102,19 @@ namespace RigidBodyDynamics.Judging
         {
             Match[] gaining = _matches.Where(m => m.HasTwo).ToArray();
             bool isLinear = gaining.Count(m => m.FitsTwo) > 0.9 * gaining.Length;
-            double free = Coefficients.Median(_matches.Where(m => m.Miss == Miss.Decay && m.IsFree).Select(m => m.Decay));
+            double free = Coefficients.Median(_matches.Where((m, i) => m.Miss == Miss.Decay && m.IsFree && Links[i].At.IsVaried).Select(m => m.Decay));
+            if (double.IsNaN(free) || IsLimited)
+                free = Sheet.Decay;
             foreach (Match match in gaining)
-                match.Resolve(isLinear, double.IsNaN(free) ? Sheet.Decay : free);
-            bool gainIsOff = _matches.Any(m => m.Miss == Miss.Gain || m.Miss == Miss.Both), decayIsOff = _matches.Any(m => m.Miss == Miss.Decay || m.Miss == Miss.Both);
-            foreach (Match match in _matches.Where(m => m.Miss == Miss.Either))
-                match.Blame(gainIsOff || !decayIsOff ? Miss.Gain : Miss.Decay);
+                match.Resolve(isLinear, free);
+            if (IsLimited)
+                Blame(Miss.Decay, Miss.Gain, free);
+            bool gainIsOff = _matches.Any(m => m.Miss == Miss.Gain || m.Miss == Miss.Both), decayIsOff = IsOff(Miss.Decay, true) || IsOff(Miss.Both, true);
+            // what looks like another factor, in experiments alone where v and what is added to it have one direction, is not
+            if (gainIsOff && !decayIsOff)
+                Blame(Miss.Decay, Miss.Gain, free);
+            Blame(Miss.Either, gainIsOff || !(decayIsOff || IsOff(Miss.Decay, false)) ? Miss.Gain : Miss.Decay, free);
+            Blame(Miss.Gain, Miss.Gain, free);
         }
     }
 }

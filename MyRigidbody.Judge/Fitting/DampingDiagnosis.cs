@@ -92,7 +92,7 @@ namespace RigidBodyDynamics.Judging
 
         private static Samples Decays(Chain chain, Func<Link, bool> where)
         {
-            Samples samples = new Samples();
+            Samples samples = new Samples(1e-4);
             for (int i = 0; i < chain.Links.Count; i++)
             {
                 if (!double.IsNaN(chain.DecayOf(i)) && chain.Links[i].Before.Length > 0.05 && where(chain.Links[i]))

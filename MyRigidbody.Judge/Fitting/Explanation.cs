@@ -31,7 +31,7 @@ namespace RigidBodyDynamics.Judging
 
         /// <summary>Steps that are off, then steps that are read in another way than the sheet's.</summary>
         public double Cost => Count(!Velocity.GainIsRight, !AngularVelocity.GainIsRight, !Position.IsRight, !Orientation.IsRight, !IsDampedRightly)
-            + 0.3 * Count(Position.Code != null, Orientation.Code != null);
+            + 0.3 * Count(Position.Code != null, Orientation.Code != null, AngularVelocity.Code != null);
 
         private static int Count(params bool[] conditions) => conditions.Count(c => c);
     }
@@ -53,26 +53,34 @@ namespace RigidBodyDynamics.Judging
 
         public bool IsDampedRightly => Chain.DecayIsRight && !(Carry.IsRight && Carry.IsDampedBefore);
 
-        private int Cost => Chain.Cost + (Carry.IsRight ? 0 : Step + Carry.Missed.Count) + (Chain.DecayIsRight && !IsDampedRightly ? Step : 0) + (Carry.Code != null ? Step / 3 : 0);
+        private double Cost => Chain.Cost + (Carry.IsRight ? 0 : Step + Carry.Missed.Count) + (Chain.DecayIsRight && !IsDampedRightly ? Step : 0)
+            + (Carry.Code != null ? 0.3 * Step : 0) + (Chain.Order == Order.DecayGainDecay ? 0.5 : 0);
 
-        /// <summary>The source of the gain that fits the most frames, and of the two orders of gain and decay the one that leaves less off.</summary>
-        public static Travel Best(IEnumerable<Lazy<Link[]>> readings, TimeStep step, Func<Chain, Carry> carry)
+        /// <summary>The source of the gain that fits the most frames, and of the orders of gain and decay the one that leaves the least off.</summary>
+        public static Travel Best(IEnumerable<Lazy<Links>> readings, TimeStep step, Func<Chain, Carry> carry)
         {
             Chain[] best = null;
-            foreach (Lazy<Link[]> links in readings)
+            foreach (Lazy<Links> links in readings)
             {
-                Chain[] orders = { new Chain(links.Value, step, false), new Chain(links.Value, step, true) };
-                if (best == null || orders.Min(c => c.Cost) < best.Min(c => c.Cost))
+                Chain[] orders = { new Chain(links.Value, step, Order.GainThenDecay), new Chain(links.Value, step, Order.DecayThenGain), new Chain(links.Value, step, Order.DecayGainDecay) };
+                bool isEligible = links.Value.Code == null || orders.Any(c => c.GainIsRight);
+                if (best == null || isEligible && orders.Min(c => c.Cost) < best.Min(c => c.Cost))
                     best = orders;
                 if (best.Any(c => c.GainIsRight))
                     break;
             }
 
-            Travel after = new Travel(best[0], carry(best[0]));
-            if (after.Cost == 0)
-                return after;
-            Travel first = new Travel(best[1], carry(best[1]));
-            return first.Cost < after.Cost ? first : after;
+            Travel told = null;
+            foreach (Chain chain in best)
+            {
+                Travel travel = new Travel(chain, carry(chain));
+                if (told == null || travel.Cost < told.Cost)
+                    told = travel;
+                if (told.Cost < 1)
+                    break;
+            }
+
+            return told;
         }
     }
 }

@@ -38,8 +38,10 @@ namespace RigidBodyDynamics.Judging
                 return One(step, letter + "-not-a-number", expected, "NaN");
             if (IsMissing)
                 return One(step, "not-done", expected, "0");
+            if (_chain.IsLimited)
+                return One(step, letter + "-limited", expected, Example());
             if (_share < 0.9)
-                return One(step, IsSeldom() ? letter + "-sometimes" : letter + "-formula", expected, Example());
+                return One(step, letter + (IsSeldom() ? "-sometimes" : "-formula"), expected, Example());
             List<Finding> findings = new List<Finding>();
             string factor = FactorCode(letter);
             string found = $"{Text.Of(_gains.Median)} · {_shape.Formula}";
@@ -47,7 +49,7 @@ namespace RigidBodyDynamics.Judging
                 findings.Add(Words.Finding(step, _shape.Code, expected, found));
             if (factor != null)
                 findings.Add(Words.Finding(step, factor, expected, found));
-            return findings.Count > 0 ? findings.ToArray() : One(step, letter + "-formula", expected, found);
+            return findings.Count > 0 ? findings.ToArray() : One(step, letter + (IsSeldom() ? "-sometimes" : "-formula"), expected, found);
         }
 
         private static Finding[] One(Step step, string code, string expected, string found) => new[] { Words.Finding(step, code, expected, found) };
@@ -85,13 +87,13 @@ namespace RigidBodyDynamics.Judging
 
         private void Try(GainShape shape, Source source)
         {
-            Samples gains = new Samples(), kept = new Samples();
+            Samples gains = new Samples(2e-3), kept = new Samples(2e-3);
             int fitted = 0, seen = 0;
             for (int i = 0; i < _chain.Links.Count; i++)
             {
                 Link link = _chain.Links[i];
                 Vector push = _ofForce ? link.At.Force(source) : link.At.Torque(source);
-                if (push.Length < 0.1 || !link.Before.IsFinite || !link.After.IsFinite || link.Before.Length > 1e4)
+                if (!link.At.IsVaried || push.Length < 0.1 || !link.Before.IsFinite || !link.After.IsFinite || link.Before.Length > 1e4)
                     continue;
                 Vector gain = shape.Gain(link.At, push);
                 Coefficients two = Coefficients.Of(link.After, link.Before, gain);
@@ -115,7 +117,7 @@ namespace RigidBodyDynamics.Judging
             _kept = kept;
         }
 
-        private bool BecomesNaN() => _chain.Links.Any(l => l.Before.IsFinite && !l.After.IsFinite);
+        private bool BecomesNaN() => _chain.Links.Any(l => l.Before.IsFinite && l.Before.Length < 1e6 && !l.After.IsFinite);
 
         private bool IsSeldom()
         {

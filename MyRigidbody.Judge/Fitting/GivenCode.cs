@@ -1,3 +1,4 @@
+using System;
 using System.Collections.Generic;
 using System.Linq;
 
@@ -9,31 +10,37 @@ namespace RigidBodyDynamics.Judging
         public static IEnumerable<Finding> Findings(IReadOnlyList<Observation> frames, Explanation explanation)
         {
             Observation[] left = frames.Where(o => o.IsLeftToKeys).ToArray();
-            Observation force = left.FirstOrDefault(o => o.After.Force.HasValue && Differs(o.After.Force.Value, o.KeyForce));
-            if (force != null && UsesVariable(explanation.Velocity, o => o.KeyForce))
-                yield return Words.Finding(Step.Given, "force-changed", Text.Of(force.KeyForce), Text.Of(force.After.Force.Value)).From(force.Run.Name, force.Index);
-            Observation torque = left.FirstOrDefault(o => o.After.Torque.HasValue && Differs(o.After.Torque.Value, o.KeyTorque));
-            if (torque != null && UsesVariable(explanation.AngularVelocity, o => o.KeyTorque))
-                yield return Words.Finding(Step.Given, "torque-changed", Text.Of(torque.KeyTorque), Text.Of(torque.After.Torque.Value)).From(torque.Run.Name, torque.Index);
-            foreach (Run run in frames.Select(o => o.Run).Distinct())
+            return Push("force-changed", left, explanation.Velocity, o => o.After.Force, o => o.KeyForce)
+                .Concat(Push("torque-changed", left, explanation.AngularVelocity, o => o.After.Torque, o => o.KeyTorque))
+                .Concat(Inertia(frames));
+        }
+
+        /// <summary>
+        /// The variable is not what the keys demand, and it is the variable that the steps use. Steps that are
+        /// right with the keys' own values do not use it; beside steps that are off, one that is zero after every frame has been cleared and says
+        /// nothing.
+        /// </summary>
+        private static IEnumerable<Finding> Push(string code, Observation[] frames, Chain chain, Func<Observation, Vector?> variable, Func<Observation, Vector> keys)
+        {
+            Observation[] seen = frames.Where(o => variable(o).HasValue).ToArray();
+            Observation first = seen.FirstOrDefault(o => Differs(variable(o).Value, keys(o)));
+            bool isCleared = seen.All(o => variable(o).Value.Length == 0);
+            bool isUsed = chain.GainIsRight ? chain.Source == Source.Variable : !isCleared;
+            if (first != null && isUsed)
+                yield return Words.Finding(Step.Given, code, Text.Of(keys(first)), Text.Of(variable(first).Value)).From(first.Run.Name, first.Index);
+        }
+
+        private static IEnumerable<Finding> Inertia(IReadOnlyList<Observation> frames)
+        {
+            Observation first = frames.FirstOrDefault(o => o.Index == 0 && o.Run.InertiaAtStart.HasValue && !IsInertia(o.Run.InertiaAtStart.Value, o));
+            if (first != null)
             {
-                Observation first = frames.First(o => o.Run == run);
-                if (run.InertiaAtStart.HasValue && !IsInertia(run.InertiaAtStart.Value, first))
-                {
-                    yield return Words.Finding(Step.Given, "inertia-changed", Text.Of(first.Mass * Diagonal(Matrix.InertiaOf(run.Setting.Vertices))), Text.Of(Diagonal(run.InertiaAtStart.Value))).From(run.Name, 0);
-                    yield break;
-                }
+                Vector expected = Diagonal(first.Mass * Matrix.InertiaOf(first.Run.Setting.Vertices));
+                yield return Words.Finding(Step.Given, "inertia-changed", Text.Of(expected), Text.Of(Diagonal(first.Run.InertiaAtStart.Value))).From(first.Run.Name, 0);
             }
         }
 
         private static bool Differs(Vector a, Vector b) => !((a - b).Length <= 1e-4 * (1 + b.Length));
-
-        /// <summary>The steps are driven by the variable and not by the keys: what the variable holds counts.</summary>
-        private static bool UsesVariable(Chain chain, System.Func<Observation, Vector> keys) =>
-            !chain.GainIsRight || chain.Links.Any(l => l.At.IsLeftToKeys && (l.Gain.Length > 1e-6) != (keys(l.At).Length > 1e-6)) || IsScaled(chain, keys);
-
-        private static bool IsScaled(Chain chain, System.Func<Observation, Vector> keys) =>
-            Coefficients.Median(chain.Links.Where(l => l.At.IsLeftToKeys && keys(l.At).Length > 0.1).Select(l => l.Gain.Length / keys(l.At).Length)) > 0;
 
         /// <summary>I_ref of the mesh or of the cube, or the inverse of one of them.</summary>
         private static bool IsInertia(Matrix found, Observation at)

@@ -45,12 +45,28 @@ namespace RigidBodyDynamics.Judging
         public double Tolerance(double h) => 3e-6 * (Before.Length + After.Length) + 3e-5 * h * Gain.Length + 1e-7;
     }
 
+    /// <summary>When the factor of step 5 is applied.</summary>
+    internal enum Order
+    {
+        /// <summary>At the end of the frame, as on the sheet.</summary>
+        GainThenDecay,
+
+        /// <summary>At the beginning, which is the end of the frame before.</summary>
+        DecayThenGain,
+
+        /// <summary>At the beginning and at the end.</summary>
+        DecayGainDecay,
+    }
+
     /// <summary>One frame held against the sheet's formula, and the coefficients that it has instead.</summary>
     internal sealed class Match
     {
+        /// <summary>A velocity that grows by more than half in a frame is not damped wrongly: something is added to it.</summary>
+        private const double MostKept = 1.5;
+
         private readonly double _keptOfTwo;
 
-        public Match(Link link, double h, bool decaysFirst)
+        public Match(Link link, double h, Order order)
         {
             Decay = double.NaN;
             Miss = Miss.Unseen;
@@ -61,8 +77,14 @@ namespace RigidBodyDynamics.Judging
                 return;
             double tolerance = link.Tolerance(h);
             Vector gain = h * link.Gain;
-            Vector left = decaysFirst ? link.After - gain : link.After, of = decaysFirst ? link.Before : link.Before + gain;
+            Vector left = order == Order.GainThenDecay ? link.After : order == Order.DecayThenGain ? link.After - gain : link.After - Sheet.Decay * gain;
+            Vector of = order == Order.GainThenDecay ? link.Before + gain : link.Before;
             IsFree = gain.Length < 1e-7;
+            bool isTooSlow = of.Length <= 20 * tolerance && left.Length <= 40 * tolerance;
+            if (isTooSlow)
+                Miss = Miss.Unseen;
+            if (isTooSlow && (left - Sheet.Decay * of).Length > tolerance)
+                return;
             if ((left - Sheet.Decay * of).Length <= tolerance)
             {
                 Miss = Miss.None;
@@ -71,7 +93,7 @@ namespace RigidBodyDynamics.Judging
             }
 
             Coefficients one = Coefficients.Of(left, of);
-            bool isDecayAlone = of.Length > 20 * tolerance && one.Residual <= tolerance && Math.Abs(one.First) > 1e-3;
+            bool isDecayAlone = of.Length > 20 * tolerance && one.Residual <= tolerance && one.First > 1e-3 && one.First < MostKept;
             if (isDecayAlone)
             {
                 Miss = Miss.Decay;
@@ -101,33 +123,38 @@ namespace RigidBodyDynamics.Judging
 
         public bool IsOff => Miss != Miss.None && Miss != Miss.Unseen;
 
+        /// <summary>It looked like another factor, and other frames have shown that it is the gain.</summary>
+        public bool IsBlamed { get; private set; }
+
         /// <summary>Nothing pushes in this frame: only the factor is seen.</summary>
         public bool IsFree { get; }
 
         /// <summary>What is kept and what is gained can be told apart.</summary>
-        public bool HasTwo { get; }
+        public bool HasTwo { get; private set; }
 
         /// <summary>The frame is a multiple of v and a multiple of g.</summary>
         public bool FitsTwo { get; }
 
         public void Resolve(bool isLinear, double decayWhereFree)
         {
-            bool isAnotherFactor = isLinear && FitsTwo && _keptOfTwo > 1e-3 && _keptOfTwo < 1.5 && Math.Abs(_keptOfTwo - Sheet.Decay) > 1e-3;
+            bool isAnotherFactor = isLinear && FitsTwo && _keptOfTwo > 1e-3 && _keptOfTwo < MostKept && Math.Abs(_keptOfTwo - Sheet.Decay) > 1e-3;
             Miss = isAnotherFactor ? Miss.Both : Miss.Gain;
             Decay = isAnotherFactor ? _keptOfTwo : decayWhereFree;
         }
 
-        public void Blame(Miss miss)
+        public void Blame(Miss miss, double decayWhereFree)
         {
+            IsBlamed |= Miss == Miss.Decay && miss == Miss.Gain;
             Miss = miss;
             if (miss == Miss.Gain)
-                Decay = Sheet.Decay;
+                Decay = decayWhereFree;
         }
 
         public void Forget()
         {
             Miss = Miss.Unseen;
             Decay = double.NaN;
+            HasTwo = false;
         }
     }
 }

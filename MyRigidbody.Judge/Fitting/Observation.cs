@@ -32,6 +32,7 @@ namespace RigidBodyDynamics.Judging
             _frame = run.Frames[index];
             Time = _frame.Input.Time;
             Delta = _frame.Input.Delta;
+            IsVaried = run.IsVaried;
         }
 
         public Run Run { get; }
@@ -47,10 +48,23 @@ namespace RigidBodyDynamics.Judging
 
         public Snapshot After => _frame.After;
 
+        /// <summary>In an experiment that sets states, forces and torques anew: nothing is in line with anything else by chance for long.</summary>
+        public bool IsVaried { get; }
+
         public bool IsSetAnew => _frame.IsSetAnew;
 
         /// <summary>No force or torque of the experiment's own: what the keys give can be compared.</summary>
         public bool IsLeftToKeys => _frame.GivenForce == null && _frame.GivenTorque == null;
+
+        /// <summary>R is one: the quaternions are numbers, and the script's own has not grown beyond use.</summary>
+        public bool IsTurnKnown
+        {
+            get
+            {
+                double own = Before.OwnOrientation?.Length ?? 1;
+                return Before.Orientation.IsFinite && own > 0.5 && own < 2;
+            }
+        }
 
         public double Mass => Before.Mass ?? 1;
 

@@ -14,6 +14,7 @@ namespace RigidBodyDynamics.Judging
 
         private static readonly CarryShape[] Shapes =
         {
+            new CarryShape("q-assigned", "[0, ω] q", o => Pure(o)),
             new CarryShape(null, "[0, ½ω] q", o => Turns.FirstOrder(o.Turn)),
             new CarryShape("order-of-product", "q [0, ½ω]", o => Turns.FirstOrder(o.TurnInBody)),
             new CarryShape("exact-turn", "ω", o => Turns.Exact(o.Turn)),
@@ -22,7 +23,6 @@ namespace RigidBodyDynamics.Judging
             new CarryShape("euler-turn", "ω", o => Turns.Euler(o.Turn)),
             new CarryShape("euler-angles", "ω", o => AngleDifference(o)),
             new CarryShape("q-left-out", "[0, ½ω]", o => WithoutOrientation(o)),
-            new CarryShape("q-assigned", "[0, ω] q", o => Pure(o)),
             new CarryShape("q-assigned", "[1, ½ω]", o => Turns.FirstOrder(o.After.Orientation)),
             new CarryShape("quaternion-arguments", "[½ω, 0]", o => Shifted(o)),
         };
@@ -44,7 +44,7 @@ namespace RigidBodyDynamics.Judging
             // a turn about the world's axes by another angle: how it is made matters less than the angle
             string[] codes = { shape == "exact-turn" || shape == "euler-turn" ? null : shape, Code(factor) };
             Finding[] findings = codes.Where(c => c != null).SelectMany(c => One(c, found)).ToArray();
-            return findings.Length > 0 ? findings : One(Other(explanation), found);
+            return shape == "q-assigned" ? One(shape, found) : findings.Length > 0 ? findings : One(Other(explanation), found);
         }
 
         private static Finding[] One(string code, string found) => new[] { Words.Finding(Step.Orientation, code, Expected, found) };

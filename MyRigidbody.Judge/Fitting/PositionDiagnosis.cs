@@ -59,7 +59,7 @@ namespace RigidBodyDynamics.Judging
         private static string Other(Explanation explanation)
         {
             IReadOnlyList<int> missed = explanation.Position.Missed;
-            if (missed.Count == 1 && explanation.Velocity.Links[missed[0]].At.Index == 0)
+            if (missed.All(i => explanation.Velocity.Links[i].At.Index == 0))
                 return "starts-elsewhere";
             return missed.Count < explanation.Velocity.Links.Count / 50 ? "x-sometimes" : "x-formula";
         }

@@ -6,13 +6,14 @@ namespace RigidBodyDynamics.Judging
     internal static class Turns
     {
         /// <summary>2 · vector / scalar: k ω for q + [0, ½k ω] q, whatever the length.</summary>
-        public static Vector FirstOrder(Orientation turn) => (2 / turn.W) * turn.Imaginary;
+        public static Vector FirstOrder(Orientation turn) =>
+            Math.Abs(turn.W) > 0.02 * turn.Imaginary.Length ? (2 / turn.W) * turn.Imaginary : new Vector(double.NaN, double.NaN, double.NaN);
 
         /// <summary>Angle times axis: k ω for a turn by the angle k |ω|.</summary>
         public static Vector Exact(Orientation turn)
         {
             double sine = turn.Imaginary.Length, angle = 2 * Math.Atan2(sine, Math.Abs(turn.W));
-            return sine < 1e-12 ? Vector.Zero : (Math.Sign(turn.W) * angle / sine) * turn.Imaginary;
+            return sine < 1e-12 ? Vector.Zero : ((turn.W < 0 ? -angle : angle) / sine) * turn.Imaginary;
         }
 
         /// <summary>Unity's Euler angles, in radians, nearest to zero.</summary>
@@ -27,6 +28,6 @@ namespace RigidBodyDynamics.Judging
         }
 
         /// <summary>Rounding of two quaternions in single precision moves the turn between them by so much.</summary>
-        public static double Tolerance(Vector turn) => 3e-6 + 1e-5 * turn.Length;
+        public static double Tolerance(Vector turn) => (3e-6 + 1e-5 * turn.Length) * (1 + Vector.Dot(turn, turn));
     }
 }

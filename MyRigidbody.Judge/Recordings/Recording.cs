@@ -22,15 +22,27 @@ namespace RigidBodyDynamics.Judging
         public Matrix? InertiaAtStart { get; }
 
         public IReadOnlyList<Frame> Frames { get; }
+
+        internal bool IsVaried => Frames.Count > 0 && Frames[0].IsSetAnew;
     }
 
     /// <summary>All that was seen of a script; plain numbers, which can be sent from one process to another.</summary>
     public sealed class Recording
     {
-        internal Recording(IReadOnlyList<Run> runs) => Runs = runs;
+        internal Recording(IReadOnlyList<Run> runs, IReadOnlyDictionary<string, string> variables)
+        {
+            Runs = runs;
+            Variables = variables;
+        }
 
         /// <summary>The first is the lab's own scene, left to itself; the second is a turned box.</summary>
         public IReadOnlyList<Run> Runs { get; }
+
+        /// <summary>
+        /// Which of the script's variables is taken for what: Force, Torque, Velocity, AngularVelocity, Position, Orientation, Mass, Inertia.
+        /// What has no variable is not there.
+        /// </summary>
+        public IReadOnlyDictionary<string, string> Variables { get; }
 
         public static Recording ReadFrom(Stream stream) => new RecordingReader(stream).Recording();
 

@@ -16,6 +16,13 @@ namespace RigidBodyDynamics.Judging
             _out.Write(recording.Runs.Count);
             foreach (Run run in recording.Runs)
                 Run(run);
+            _out.Write(recording.Variables.Count);
+            foreach (KeyValuePair<string, string> variable in recording.Variables)
+            {
+                _out.Write(variable.Key);
+                _out.Write(variable.Value);
+            }
+
             _out.Flush();
         }
 
@@ -114,7 +121,10 @@ namespace RigidBodyDynamics.Judging
             List<Run> runs = new List<Run>();
             for (int left = Count(); left > 0; left--)
                 runs.Add(Run());
-            return new Recording(runs);
+            Dictionary<string, string> variables = new Dictionary<string, string>();
+            for (int left = Count(); left > 0; left--)
+                variables[_in.ReadString()] = _in.ReadString();
+            return new Recording(runs, variables);
         }
 
         private int Count()

@@ -22,6 +22,8 @@ namespace RigidBodyDynamics.Judging
             ["two-time-steps"] = new[] { "this step takes another Δt than the others; at 50 frames a second it cannot be seen", "这一步的 Δt 与其他步骤不同，每秒 50 帧时看不出来" },
             ["v-factor"] = new[] { "what is added to v is not Δt F/m but a multiple of it", "v 的增量不是 Δt F/m，而是它的若干倍" },
             ["force-in-body-axes"] = new[] { "the force is turned with the body; the keys push along the axes of the world", "力随物体一起转动了，按键的力应沿世界坐标轴" },
+            ["v-limited"] = new[] { "the velocity is limited, which the sheet does not ask for", "限制了速度的大小，讲义没有这样要求" },
+            ["w-limited"] = new[] { "the angular velocity is limited, which the sheet does not ask for", "限制了角速度的大小，讲义没有这样要求" },
             ["w-not-a-number"] = new[] { "ω becomes NaN; look for a division by zero or a matrix without an inverse", "ω 变成了 NaN，请检查是否除以了零，或矩阵不可逆" },
             ["w-sometimes"] = new[] { "right in most frames, but not in all; look at the frame named", "多数帧正确，但并非每一帧都正确，请看所指出的那一帧" },
             ["w-formula"] = new[] { "what is added to ω is not Δt I⁻¹ τ with I = R I_ref Rᵀ", "ω 的增量不是 Δt I⁻¹ τ（其中 I = R I_ref Rᵀ）" },
