@@ -10,17 +10,21 @@ internal static class MeasuredOrder
 {
     public const double Time = 2;
 
+    /// <summary>No two equal, and all three.</summary>
+    public static readonly Vector3d Moments = new(1, 2, 2.5), Cube = new(1.5, 1.5, 1.5);
+
     // below it the roundings of 4096 steps count
     private const double Floor = 2e-12;
     private const int FineSteps = 2048;
-    private static readonly ConcurrentDictionary<(string, bool, bool), BodyState> Truths = new();
+    private static readonly ConcurrentDictionary<(string, Vector3d, bool), BodyState> Truths = new();
 
     /// <summary>The order under effects that act all the time, or in a window; infinite where the rule makes no error.</summary>
-    public static double Of(string integrator, bool inWindow, params OrderedEffect[] effects)
-    {
-        bool ofCube = !Catalogue.Find(integrator).Keeps.HasFlag(Keeps.Motion);
-        return Of(Catalogue.Find(integrator).Order, steps => Run(integrator, steps, ofCube, inWindow, effects), Truth(ofCube, inWindow, effects));
-    }
+    public static double Of(string integrator, bool inWindow, params OrderedEffect[] effects) =>
+        Of(integrator, Catalogue.Find(integrator).Keeps.HasFlag(Keeps.Motion) ? Moments : Cube, inWindow, effects);
+
+    /// <summary>The same of a body with other moments (kg m²).</summary>
+    public static double Of(string integrator, Vector3d moments, bool inWindow, params OrderedEffect[] effects) =>
+        Of(Catalogue.Find(integrator).Order, steps => Run(integrator, steps, moments, inWindow, effects), Truth(moments, inWindow, effects));
 
     /// <summary>The order of a rule that is declared to have this one, from what it comes to in a number of steps.</summary>
     public static double Of(int declared, Func<int, BodyState> run, BodyState truth)
@@ -41,11 +45,11 @@ internal static class MeasuredOrder
     }
 
     /// <summary>The true motion's end.</summary>
-    public static BodyState Truth(bool ofCube, bool inWindow, params OrderedEffect[] effects) =>
-        Truths.GetOrAdd((string.Join('+', effects.Select(effect => effect.Name)), ofCube, inWindow), _ =>
+    public static BodyState Truth(Vector3d moments, bool inWindow, params OrderedEffect[] effects) =>
+        Truths.GetOrAdd((string.Join('+', effects.Select(effect => effect.Name)), moments, inWindow), _ =>
         {
             OrderedEffect[] rates = [.. effects.SelectMany(effect => effect.InRates())];
-            BodyState coarse = Run("RungeKutta4", FineSteps, ofCube, inWindow, rates), fine = Run("RungeKutta4", 2 * FineSteps, ofCube, inWindow, rates);
+            BodyState coarse = Run("RungeKutta4", FineSteps, moments, inWindow, rates), fine = Run("RungeKutta4", 2 * FineSteps, moments, inWindow, rates);
             return new BodyState(
                 fine.Position + 1 / 15.0 * (fine.Position - coarse.Position),
                 (fine.Orientation + 1 / 15.0 * (fine.Orientation + -1 * coarse.Orientation)).Normalized,
@@ -53,19 +57,19 @@ internal static class MeasuredOrder
                 fine.AngularVelocity + 1 / 15.0 * (fine.AngularVelocity - coarse.AngularVelocity));
         });
 
-    /// <summary>A body without symmetry, or one whose three moments are equal, on which nothing acts yet.</summary>
-    public static BodyDescription Body(string integrator, bool ofCube) => new("body", MassProperties.FromPrincipal(
-        2, ofCube ? new(1.5, 1.5, 1.5) : new(1, 2, 2.5), new Quaterniond(0.9, 0.1, -0.3, 0.2), new Vector3d(0.1, -0.2, 0.3)))
+    /// <summary>A body on which nothing acts yet.</summary>
+    public static BodyDescription Body(string integrator, Vector3d moments) => new("body", MassProperties.FromPrincipal(
+        2, moments, new Quaterniond(0.9, 0.1, -0.3, 0.2), new Vector3d(0.1, -0.2, 0.3)))
     {
         Integrator = integrator,
         Start = new BodyState(new(1, 0.5, -1), new Quaterniond(0.8, 0.2, -0.4, 0.4).Normalized, new(0.5, -1, 1.25), new(0.9, 1.5, -1.1)),
         Unity = new UnitySettings { AngularDrag = 0, MaxAngularVelocity = double.PositiveInfinity, SleepThreshold = 0, InDouble = true },
     };
 
-    private static BodyState Run(string integrator, int steps, bool ofCube, bool inWindow, OrderedEffect[] effects)
+    private static BodyState Run(string integrator, int steps, Vector3d moments, bool inWindow, OrderedEffect[] effects)
     {
         double step = Time / steps, from = inWindow ? 0.5 : 0, to = inWindow ? 1.5 : double.PositiveInfinity;
-        BodyDescription body = Body(integrator, ofCube);
+        BodyDescription body = Body(integrator, moments);
         // a sum of pushes is a type, and hundreds of them take long to compile: more than one go into one
         bool isSum = effects.Length > 1;
         foreach (OrderedEffect effect in effects.Where(effect => effect.Push == null || !isSum))
