@@ -29,7 +29,7 @@ namespace RigidBodyDynamics.Engine
         // a script that writes for ever does not fill the memory
         internal static void Write(LogType type, object message)
         {
-            if (Written.Count < MostLines)
+            if (Written.Count < MostLines && Debug.unityLogger.logEnabled)
                 Written.Add((type, message?.ToString() ?? "Null"));
         }
 

@@ -8,6 +8,8 @@ namespace UnityEngine
     {
         public static bool isDebugBuild => true;
 
+        public static ILogger unityLogger { get; } = new Logger();
+
         public static void DrawRay(Vector3 start, Vector3 dir) { }
 
         public static void DrawRay(Vector3 start, Vector3 dir, Color color) { }
@@ -64,5 +66,16 @@ namespace UnityEngine
         Warning,
         Log,
         Exception,
+    }
+
+    /// <summary>What decides whether something is written to the console.</summary>
+    public interface ILogger
+    {
+        bool logEnabled { get; set; }
+    }
+
+    internal sealed class Logger : ILogger
+    {
+        public bool logEnabled { get; set; } = true;
     }
 }

@@ -5,27 +5,29 @@ using RigidBodyDynamics.Lab.Package;
 
 namespace RigidBodyDynamics.Lab.Commands;
 
-/// <summary>Writes the package that students import into Unity.</summary>
+/// <summary>Writes the packages that students import into Unity.</summary>
 internal static class PackCommand
 {
-    private const string DefaultFile = "MyRigidbody.unitypackage", Ending = ".unitypackage";
+    private const string Ending = ".unitypackage", DefaultFile = "MyRigidbody" + Ending, DefaultStarter = "MyRigidbody-Starter" + Ending;
 
     public static Command Create()
     {
-        Option<string> output = new("--out") { Description = "the package", HelpName = "FILE", DefaultValueFactory = _ => DefaultFile };
+        Option<bool> starter = new("--starter") { Description = "the package in which a student writes his own five steps" };
+        Option<string?> output = new("--out") { Description = $"the package: {DefaultFile} or {DefaultStarter}", HelpName = "FILE" };
         Option<string?> list = new("--list") { Description = "only shows what is in a package", HelpName = "FILE" };
-        Command command = new("pack", "The .unitypackage, from a checkout of the repository") { output, list };
-        command.SetAction(parsed => parsed.GetValue(list) is string packed ? List(packed) : Pack(parsed.GetValue(output)!));
+        Command command = new("pack", "The .unitypackage, from a checkout of the repository") { starter, output, list };
+        command.SetAction(parsed => parsed.GetValue(list) is string packed ? List(packed) : Pack(parsed.GetValue(starter), parsed.GetValue(output)));
         return command;
     }
 
-    private static int Pack(string path)
+    private static int Pack(bool isStarter, string? output)
     {
+        string path = output ?? (isStarter ? DefaultStarter : DefaultFile);
         // Unity's dialog shows no other files
         if (!path.EndsWith(Ending, StringComparison.Ordinal) || Path.GetFileName(path).Length == Ending.Length)
             throw new InputException($"--out: must be a file that ends in {Ending}, found \"{path}\"");
 
-        IReadOnlyList<Asset> assets = Checkout.Gather(Checkout.Root());
+        IReadOnlyList<Asset> assets = isStarter ? Checkout.GatherStarter(Checkout.Root()) : Checkout.Gather(Checkout.Root());
         byte[] package = PackageWriter.Write(assets);
         using Files files = new(Path.GetDirectoryName(Path.GetFullPath(path))!, path, []);
         files.Write(Path.GetFileName(path), to => File.WriteAllBytes(to, package));

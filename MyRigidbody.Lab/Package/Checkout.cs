@@ -2,13 +2,15 @@ using RigidBodyDynamics.Lab.Output;
 
 namespace RigidBodyDynamics.Lab.Package;
 
-/// <summary>What goes into the student's package, gathered from a checkout of the repository.</summary>
+/// <summary>What goes into the packages, gathered from a checkout of the repository.</summary>
 internal static class Checkout
 {
     private const string Top = "Assets/MyRigidbody", Project = "UnityProject/" + Top, Core = "MyRigidbody.Core";
+    private const string StarterTop = "Assets/MyRigidbodyStarter", StarterProject = "UnityProject/" + StarterTop, Judge = "MyRigidbody.Judge";
 
-    // of two assets that stand elsewhere in the repository, or have no meta there because they are the root of a package
+    // of assets that stand elsewhere in the repository, or have no meta there because they are the root of a package
     private const string CoreFolderGuid = "5a72f811ae3ef5e9cc67bc435aecb9c7", LicenseGuid = "9ba1d9b5a12c61ff5f8a201a59ec8309";
+    private const string JudgeFolderGuid = "953c8eab552180b16740ee8aeca94e2d", StarterLicenseGuid = "f0d9fe55bc6b5cfac000d30443332e3c";
 
     /// <summary>The root of the checkout: the folder with the solution, here or above, or above the program.</summary>
     public static string Root() => Find() ?? throw new InputException("pack: needs a checkout of the repository; there is no MyRigidbody.sln here or above");
@@ -16,17 +18,33 @@ internal static class Checkout
     /// <summary>The same, or null if there is none.</summary>
     public static string? Find() => Above(Directory.GetCurrentDirectory()) ?? Above(AppContext.BaseDirectory);
 
-    /// <summary>The assets, in the order of their GUIDs.</summary>
+    /// <summary>The assets of the whole package, in the order of their GUIDs.</summary>
     public static IReadOnlyList<Asset> Gather(string root)
     {
         List<Asset> assets = [Read(root, Project, Top)];
         Walk(root, Project, Top, path => path == Project + "/Tests", assets);
-        // a C# project and a UPM package are nothing to a project that has the sources, and Batch compiles to nothing in Unity
-        Walk(root, Core, Top + "/Core", path => path == Core + "/Batch" || Path.GetFileName(path) is "package.json" or "packages.lock.json" || path.EndsWith(".csproj", StringComparison.Ordinal), assets);
+        // Batch compiles to nothing in Unity
+        Walk(root, Core, Top + "/Core", path => path == Core + "/Batch" || IsNothingToUnity(path), assets);
         assets.Add(new Asset(Top + "/Core", CoreFolderGuid, null, Meta.Folder(CoreFolderGuid)));
         assets.Add(new Asset(Top + "/LICENSE.txt", LicenseGuid, Bytes(root, "LICENSE"), Meta.Text(LicenseGuid)));
         return Rules.Checked([.. assets.OrderBy(asset => asset.Guid, StringComparer.Ordinal)]);
     }
+
+    /// <summary>The assets of the package in which a student writes, in the order of their GUIDs: what he starts from, and what checks it.</summary>
+    public static IReadOnlyList<Asset> GatherStarter(string root)
+    {
+        const string Into = StarterTop + "/Editor/Judge";
+        List<Asset> assets = [Read(root, StarterProject, StarterTop)];
+        Walk(root, StarterProject, StarterTop, path => false, assets);
+        Walk(root, Judge, Into, IsNothingToUnity, assets);
+        assets.Add(new Asset(Into, JudgeFolderGuid, null, Meta.Folder(JudgeFolderGuid)));
+        assets.Add(new Asset(StarterTop + "/LICENSE.txt", StarterLicenseGuid, Bytes(root, "LICENSE"), Meta.Text(StarterLicenseGuid)));
+        return Rules.Checked([.. assets.OrderBy(asset => asset.Guid, StringComparer.Ordinal)]);
+    }
+
+    // a C# project and a UPM package are nothing to a project that has the sources
+    private static bool IsNothingToUnity(string path) =>
+        Path.GetFileName(path) is "package.json" or "packages.lock.json" || path.EndsWith(".csproj", StringComparison.Ordinal);
 
     private static void Walk(string root, string folder, string into, Predicate<string> isLeftOut, List<Asset> assets)
     {

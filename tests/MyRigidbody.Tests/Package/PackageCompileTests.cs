@@ -13,7 +13,7 @@ public sealed class PackageCompileTests
 
     private static readonly string[] To2022 = [.. To2019, "UNITY_2020_1_OR_NEWER", "UNITY_2021_2_OR_NEWER", "UNITY_2022_2_OR_NEWER", "UNITY_2022_3_OR_NEWER"];
 
-    private static readonly TestCaseData[] Versions =
+    internal static readonly TestCaseData[] Versions =
     [
         new TestCaseData((object)(string[])[.. To2019, "ENABLE_LEGACY_INPUT_MANAGER", "NET_STANDARD_2_0"]).SetArgDisplayNames("2019.4"),
         new TestCaseData((object)(string[])[.. To2022, "ENABLE_LEGACY_INPUT_MANAGER", "NET_STANDARD", "NET_STANDARD_2_1"]).SetArgDisplayNames("2022.3"),

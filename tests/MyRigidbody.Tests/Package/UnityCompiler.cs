@@ -51,6 +51,10 @@ internal sealed class UnityCompiler
     public IEnumerable<string> Complaints(string assembly) =>
         Compile(assembly).Compilation.GetDiagnostics().Where(found => found.Severity >= DiagnosticSeverity.Warning).Select(found => found.ToString());
 
+    /// <summary>What it has to say of the scripts that no asmdef takes: the student's own assembly.</summary>
+    public IEnumerable<string> ComplaintsOfStudents() => Compilation("Assembly-CSharp", _assets.Where(asset => Homeless.Contains(asset.Path)), [.. Standard, _engine])
+        .GetDiagnostics().Where(found => found.Severity >= DiagnosticSeverity.Warning).Select(found => found.ToString());
+
     private CompilationReference Compile(string assembly)
     {
         if (_compiled.TryGetValue(assembly, out CompilationReference? done))
@@ -63,13 +67,14 @@ internal sealed class UnityCompiler
             references.Add(_engine);
 
         IEnumerable<Asset> scripts = _assets.Where(asset => asset.Path.EndsWith(".cs", StringComparison.Ordinal) && Owner(asset.Path) == assembly);
-        CSharpCompilation compilation = CSharpCompilation.Create(
-            assembly,
-            scripts.Select(script => CSharpSyntaxTree.ParseText(Encoding.UTF8.GetString(script.Content!), _options, script.Path)),
-            references,
-            new CSharpCompilationOptions(OutputKind.DynamicallyLinkedLibrary));
-        return _compiled[assembly] = (CompilationReference)compilation.ToMetadataReference();
+        return _compiled[assembly] = (CompilationReference)Compilation(assembly, scripts, references).ToMetadataReference();
     }
+
+    private CSharpCompilation Compilation(string assembly, IEnumerable<Asset> scripts, IEnumerable<MetadataReference> references) => CSharpCompilation.Create(
+        assembly,
+        scripts.Select(script => CSharpSyntaxTree.ParseText(Encoding.UTF8.GetString(script.Content!), _options, script.Path)),
+        references,
+        new CSharpCompilationOptions(OutputKind.DynamicallyLinkedLibrary));
 
     // only the signatures of the stand-in are needed, so what its bodies call may be missing; its own projects compile those
     private CompilationReference Engine() => (CompilationReference)CSharpCompilation.Create(

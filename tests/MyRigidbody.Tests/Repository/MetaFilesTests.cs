@@ -10,6 +10,7 @@ public sealed class MetaFilesTests
 
     // missing, orphan or not as 2019.4 writes it; a GUID that is used twice, not lower-case or made up
     [TestCase(ProjectFiles.Package, 100)]
+    [TestCase(ProjectFiles.Judge, 30)]
     [TestCase(ProjectFiles.Assets, 30)]
     public void Every_file_and_folder_has_a_meta_as_Unity_2019_writes_it(string folder, int atLeast)
     {
@@ -19,5 +20,5 @@ public sealed class MetaFilesTests
 
     [Test]
     public void No_GUID_of_the_package_is_one_of_the_project() =>
-        Assert.That(Metas.Findings(Files, ProjectFiles.Package, ProjectFiles.Assets), Is.Empty);
+        Assert.That(Metas.Findings(Files, ProjectFiles.Package, ProjectFiles.Judge, ProjectFiles.Assets), Is.Empty);
 }

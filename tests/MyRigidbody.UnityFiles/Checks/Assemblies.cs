@@ -11,6 +11,9 @@ internal static class Assemblies
         "autoReferenced", "defineConstraints", "versionDefines", "noEngineReferences",
     ];
 
+    // what a student gets to write in: scripts without an assembly of their own, as his own scripts are
+    private const string Starter = ProjectFiles.Assets + "/MyRigidbodyStarter/";
+
     // what the test framework brings
     private static readonly string[] Others = ["UnityEngine.TestRunner", "UnityEditor.TestRunner"];
 
@@ -50,8 +53,9 @@ internal static class Assemblies
         string[] folders = [.. definitions.Select(definition => definition.Path[..(definition.Path.LastIndexOf('/') + 1)])];
         foreach (string script in files.Texts.Keys.Where(path => path.EndsWith(".cs", StringComparison.Ordinal)))
         {
-            if (!folders.Any(folder => script.StartsWith(folder, StringComparison.Ordinal)))
-                yield return $"{script}: is in no assembly of ours";
+            bool isStudents = script.StartsWith(Starter, StringComparison.Ordinal) && !script.Contains("/Editor/", StringComparison.Ordinal);
+            if (isStudents == folders.Any(folder => script.StartsWith(folder, StringComparison.Ordinal)))
+                yield return isStudents ? $"{script}: must be in no assembly of ours" : $"{script}: is in no assembly of ours";
         }
     }
 

@@ -17,7 +17,7 @@ public static class ProjectChecker
         Project project = new(files);
         return
         [
-            .. Metas.Findings(files, ProjectFiles.Assets, ProjectFiles.Package),
+            .. Metas.Findings(files, ProjectFiles.Assets, ProjectFiles.Package, ProjectFiles.Judge),
             .. Assemblies.Findings(files),
             .. Packages.Findings(files),
             .. project.Scripts.Misnamed,

@@ -12,10 +12,13 @@ public sealed class ProjectFiles
     /// <summary>What is imported from <see cref="Project"/>.</summary>
     public const string Assets = Project + "/Assets";
 
-    /// <summary>The package that the project takes from the repository.</summary>
+    /// <summary>A package that the project takes from the repository: the library.</summary>
     public const string Package = "MyRigidbody.Core";
 
-    private static readonly string[] Folders = [Assets, Project + "/Packages", Project + "/ProjectSettings", Package];
+    /// <summary>Another one: what decides which of a student's steps is off.</summary>
+    public const string Judge = "MyRigidbody.Judge";
+
+    private static readonly string[] Folders = [Assets, Project + "/Packages", Project + "/ProjectSettings", Package, Judge];
 
     private readonly SortedDictionary<string, string> _texts;
 

@@ -15,6 +15,14 @@ namespace UnityEditor
 
         public static void HelpBox(string message, MessageType type) => Gui.Control("help " + type, message);
 
+        public static Object ObjectField(string label, Object obj, System.Type objType, bool allowSceneObjects, params GUILayoutOption[] options)
+        {
+            Gui.Control("object", label);
+            return obj;
+        }
+
+        public static string TextField(string label, string text, params GUILayoutOption[] options) => Gui.Text(label, text);
+
         public static int Popup(GUIContent label, int selectedIndex, string[] displayedOptions, params GUILayoutOption[] options) =>
             Gui.Menu(label.text, selectedIndex);
     }

@@ -6,6 +6,35 @@ namespace RigidBodyDynamics.Engine
     // inspectors are drawn as OnGUI is
     public static partial class Gui
     {
+        private static readonly Dictionary<string, string> Typed = new Dictionary<string, string>();
+
+        /// <summary>Draws a window of the editor.</summary>
+        public static void Draw(UnityEditor.EditorWindow window, System.Action onGui)
+        {
+            _drawn = new List<(string, string)>();
+            Send(new Event { type = EventType.Repaint }, window, onGui);
+        }
+
+        /// <summary>Clicks in a window of the editor; what was put off until after the event is done then.</summary>
+        public static void Click(UnityEditor.EditorWindow window, System.Action onGui, string text)
+        {
+            Aim(text, 0);
+            Send(new Event { type = EventType.MouseUp }, window, onGui);
+            MustHaveHit();
+            UnityEditor.EditorApplication.CallbackFunction after = UnityEditor.EditorApplication.delayCall;
+            UnityEditor.EditorApplication.delayCall = null;
+            after?.Invoke();
+        }
+
+        /// <summary>Types a text into the field with a label.</summary>
+        public static void Type(string label, string text) => Typed[label] = text;
+
+        internal static string Text(string label, string text)
+        {
+            Control("text", label);
+            return Typed.Remove(label, out string typed) ? typed : text;
+        }
+
         /// <summary>Draws an inspector.</summary>
         public static void Draw(UnityEditor.Editor inspector)
         {

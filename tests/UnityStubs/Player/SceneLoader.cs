@@ -92,12 +92,14 @@ namespace RigidBodyDynamics.Engine
         private UnityObject Find(long fileId) =>
             _file.Objects.SingleOrDefault(o => o.FileId == fileId) ?? throw new FormatException(_file.Path + ": there is no object &" + fileId);
 
-        // the file of a script has the name of its class
+        // the file of a script has the name of its class; those that students write in have no namespace
         private static Type Script(UnityObject part)
         {
             string path = Index.Value.Find(Yaml.Text(part["m_Script"]["guid"]));
             string name = Path.GetFileNameWithoutExtension(path);
-            return path == null ? null : Array.Find(typeof(SceneLoader).Assembly.GetTypes(), type => type.Name == name && typeof(MonoBehaviour).IsAssignableFrom(type));
+            return path == null ? null : Array.Find(
+                typeof(SceneLoader).Assembly.GetTypes(),
+                type => type.Name == name && type.Namespace == null == path.Contains("MyRigidbodyStarter") && typeof(MonoBehaviour).IsAssignableFrom(type));
         }
 
         private sealed class OfTheProject : IScenes

@@ -1,0 +1,55 @@
+using System;
+using System.IO;
+using System.Linq;
+using System.Reflection;
+using UnityEditor.Compilation;
+using UnityEngine;
+using Assembly = System.Reflection.Assembly;
+
+namespace RigidBodyDynamics.Starter
+{
+    /// <summary>Compiles one script a second time, beside the project's own assemblies, with keys and a clock that can be set.</summary>
+    internal static class ScriptBuild
+    {
+        private const string Folder = "Temp/MyRigidbodyCheck", Own = "Library/ScriptAssemblies/Assembly-CSharp.dll";
+
+        /// <summary>Compiles; the editor goes on meanwhile, and calls one of the two when it has ended.</summary>
+        /// <param name="script">The path of the script in the project.</param>
+        /// <param name="built">The assembly, and the class that is to be judged.</param>
+        /// <param name="failed">What the compiler says, one line each.</param>
+        public static void Begin(string script, Action<Assembly, Type> built, Action<string> failed)
+        {
+            Directory.CreateDirectory(Folder);
+            string name = Folder + "/Check" + Guid.NewGuid().ToString("N"), keys = Folder + "/KeysAndClock.cs";
+            File.WriteAllText(keys, KeysAndClock.Source);
+            AssemblyBuilder builder = new AssemblyBuilder(name + ".dll", script, keys);
+            // other scripts of the student; of two classes with one name the one in the source is taken
+            if (File.Exists(Own))
+                builder.additionalReferences = new[] { Own };
+
+            builder.buildFinished += (path, messages) => End(path, script, messages, built, failed);
+            if (!builder.Build())
+                failed("Unity 正在编译，请稍后再试。 Unity is compiling; try again in a moment.");
+        }
+
+        private static void End(string path, string script, CompilerMessage[] messages, Action<Assembly, Type> built, Action<string> failed)
+        {
+            string[] errors = messages.Where(message => message.type == CompilerMessageType.Error)
+                .Select(message => Path.GetFileName(script) + " (" + message.line + "): " + message.message).ToArray();
+            if (errors.Length > 0)
+            {
+                failed(string.Join("\n", errors));
+                return;
+            }
+
+            // from its bytes, so that the file is not kept open
+            Assembly assembly = Assembly.Load(File.ReadAllBytes(path));
+            Type type = assembly.GetType(Path.GetFileNameWithoutExtension(script))
+                ?? assembly.GetTypes().FirstOrDefault(found => typeof(MonoBehaviour).IsAssignableFrom(found));
+            if (type == null || !typeof(MonoBehaviour).IsAssignableFrom(type))
+                failed("没有 MonoBehaviour 类。 There is no class that is a MonoBehaviour.");
+            else
+                built(assembly, type);
+        }
+    }
+}
