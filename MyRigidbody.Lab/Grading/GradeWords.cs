@@ -78,6 +78,7 @@ internal static class GradeWords
 
         ["mistakes"] = new("What is off most often", "最常见的错误"),
         ["mistakes.none"] = new("Nothing was found off.", "没有发现错误。"),
+        ["mistakes.rare"] = new("Those of fewer: {0}", "其余 {0} 项"),
         ["mistakes.what"] = new("what", "错误"),
         ["mistakes.count"] = new("submissions", "份数"),
 

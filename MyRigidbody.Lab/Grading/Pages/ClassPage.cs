@@ -9,7 +9,7 @@ namespace RigidBodyDynamics.Lab.Grading.Pages;
 /// <summary>What the page of the class says: first what needs the instructor, then the table, the mistakes, the look-alikes, who is missing.</summary>
 internal sealed class ClassPage(Class all)
 {
-    private const int MostPairs = 12, LongestText = 300, LongestLine = 160, MostNames = 12, MostOpen = 5;
+    private const int MostPairs = 12, LongestText = 300, LongestLine = 160, MostNames = 12, MostOpen = 5, MostMistakes = 8;
 
     private static readonly PageTemplate Template = new("class.liquid", GradeWords.All);
 
@@ -58,18 +58,13 @@ internal sealed class ClassPage(Class all)
         }
     }
 
-    public IReadOnlyList<MistakePart> Mistakes
+    /// <summary>The most frequent mistakes, and folded those of fewer.</summary>
+    public IReadOnlyList<MistakesPart> MistakeParts
     {
         get
         {
-            // once for each submission
-            IGrouping<(Step Step, string Code), (Graded One, Finding Finding)>[] groups = [.. all.Submissions.Where(one => one.Counts)
-                .SelectMany(one => one.Judgement.Verdict.Findings.Where(finding => !finding.IsDoubtful).DistinctBy(finding => (finding.Step, finding.Code)).Select(finding => (One: one, Finding: finding)))
-                .GroupBy(pair => (pair.Finding.Step, pair.Finding.Code))
-                .OrderByDescending(group => group.Count()).ThenBy(group => group.Key.Step).ThenBy(group => group.Key.Code, StringComparer.Ordinal)];
-            int most = groups.Length == 0 ? 1 : groups[0].Count();
-            return [.. groups.Select(group => new MistakePart(
-                group.First().Finding, group.Count(), 100.0 * group.Count() / most, [.. group.Take(MostNames).Select(pair => new RowPart(pair.One))], Math.Max(0, group.Count() - MostNames)))];
+            IReadOnlyList<MistakePart> all = Mistakes;
+            return [.. new MistakesPart[] { new(false, [.. all.Take(MostMistakes)]), new(true, [.. all.Skip(MostMistakes)]) }.Where(part => part.All.Count > 0)];
         }
     }
 
@@ -83,6 +78,21 @@ internal sealed class ClassPage(Class all)
         [.. all.Passed.Select(note => (Visible.Line(note.Place, LongestText), new Word(note.Finding.English, note.Finding.Chinese)))];
 
     public IReadOnlyList<string> Unused => [.. all.Unused.Select(file => Visible.Line(file, LongestText))];
+
+    private IReadOnlyList<MistakePart> Mistakes
+    {
+        get
+        {
+            // once for each submission
+            IGrouping<(Step Step, string Code), (Graded One, Finding Finding)>[] groups = [.. all.Submissions.Where(one => one.Counts)
+                .SelectMany(one => one.Judgement.Verdict.Findings.Where(finding => !finding.IsDoubtful).DistinctBy(finding => (finding.Step, finding.Code)).Select(finding => (One: one, Finding: finding)))
+                .GroupBy(pair => (pair.Finding.Step, pair.Finding.Code))
+                .OrderByDescending(group => group.Count()).ThenBy(group => group.Key.Step).ThenBy(group => group.Key.Code, StringComparer.Ordinal)];
+            int most = groups.Length == 0 ? 1 : groups[0].Count();
+            return [.. groups.Select(group => new MistakePart(
+                group.First().Finding, group.Count(), 100.0 * group.Count() / most, [.. group.Take(MostNames).Select(pair => new RowPart(pair.One))], Math.Max(0, group.Count() - MostNames)))];
+        }
+    }
 
     private int Count(Outcome outcome) => all.Submissions.Count(one => one.Judgement.Verdict.Outcome == outcome);
 
@@ -128,6 +138,9 @@ internal sealed class ClassPage(Class all)
 
         public IReadOnlyList<Answer> Answers => question.Answers;
     }
+
+    /// <summary>Mistakes, the most frequent first.</summary>
+    internal sealed record MistakesPart(bool IsRare, IReadOnlyList<MistakePart> All);
 
     /// <summary>A mistake, how often, and in whose.</summary>
     internal sealed record MistakePart(Finding Finding, int Count, double Width, IReadOnlyList<RowPart> Who, int More)
