@@ -35,7 +35,7 @@ internal static class GradeCommand
         string? starter = starterFile == null ? null : SourceText.Decode([.. InputFile.Bytes(starterFile)]).Text;
         Class all = null!;
         Terminal.WithProgress("grade " + paths[0], report => all = new Grader(new ScriptBench(starter)).Judge(paths, output, roster, marks, report));
-        Grader.Write(all, output);
+        Grader.Write(all, output, [.. paths.Where(File.Exists).Concat(new[] { rosterFile, starterFile, marksFile }.OfType<string>())]);
         Print(all, output);
         return 0;
     }

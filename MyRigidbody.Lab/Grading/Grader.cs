@@ -47,9 +47,12 @@ internal sealed class Grader(IBench bench)
     }
 
     /// <summary>Writes all files; whole, or none of them.</summary>
-    public static void Write(Class all, string output)
+    /// <param name="all">The class.</param>
+    /// <param name="output">The folder.</param>
+    /// <param name="inputs">Files that were read, and are not written over.</param>
+    public static void Write(Class all, string output, params IReadOnlyList<string> inputs)
     {
-        using Files files = new(output, output, []), students = new(Path.Combine(output, StudentsFolder), output, []);
+        using Files files = new(output, output, inputs), students = new(Path.Combine(output, StudentsFolder), output, inputs);
         foreach (Graded one in all.Submissions)
             students.Write(one.Page, to => File.WriteAllText(to, StudentPage.Html(one, all.Scheme)));
 

@@ -51,5 +51,21 @@ public sealed class GradeCommandTests
         Assert.That(Directory.Exists(folder.File("out")), Is.False);
     }
 
+    [Test]
+    public void Roster_called_like_a_table_of_marks_is_not_written_over()
+    {
+        using TemporaryFolder folder = new();
+        const string List = "学号,姓名\n210840007,学生一\n";
+        File.WriteAllText(folder.File("marks.csv"), List);
+        Directory.CreateDirectory(folder.File("class"));
+        File.WriteAllText(folder.File("class/210840007_学生一.cs"), Archives.Source);
+
+        LabProcess run = LabProcess.Run(folder.Path, "grade", "class", "--roster", "marks.csv", "--out", ".");
+
+        Assert.That((run.ExitCode, run.Output), Is.EqualTo((2, string.Empty)));
+        Assert.That(File.ReadAllText(folder.File("marks.csv")), Is.EqualTo(List));
+        Assert.That(File.Exists(folder.File("index.html")), Is.False);
+    }
+
     private static string Text(JsonElement element, string name) => element.GetProperty(name).GetString()!;
 }
