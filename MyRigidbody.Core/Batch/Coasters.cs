@@ -96,7 +96,7 @@ namespace RigidBodyDynamics
             if (isOne)
             {
                 long form = LastForm(anchored, at, step);
-                _crowd.Leap(from, to, _steps.StartOf(form) - _steps.StartOf(anchored), _coasting);
+                _crowd.Leap(from, to, _steps.Between(anchored, form), _coasting);
                 Settle(group, form);
                 return;
             }
@@ -113,7 +113,7 @@ namespace RigidBodyDynamics
                 {
                     long form = LastForm(_anchored[i], at, step);
                     if (form == now && form > at)
-                        _crowd.Leap(i, i + 1, _steps.StartOf(form) - _steps.StartOf(_anchored[i]), _coasting);
+                        _crowd.Leap(i, i + 1, _steps.Between(_anchored[i], form), _coasting);
                     else if (form > now)
                         next = Math.Min(next, form);
                 }

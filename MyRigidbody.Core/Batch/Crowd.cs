@@ -31,7 +31,7 @@ namespace RigidBodyDynamics
         public abstract void Keep(int from, int to);
 
         /// <summary>Makes of the states that were kept those a time (s) later, each in one step.</summary>
-        public abstract void Leap(int from, int to, double time, in Coasting coasting);
+        public abstract void Leap(int from, int to, DoubleDouble time, in Coasting coasting);
 
         /// <summary>What one thread needs to step parts of the crowd.</summary>
         public abstract Stepper NewStepper(BodyPlan plan);

@@ -67,24 +67,17 @@ namespace RigidBodyDynamics
 
         public override void Keep(int from, int to) => _now.CopyTo(_kept, from, to);
 
-        public override void Leap(int from, int to, double time, in Coasting coasting)
+        public override void Leap(int from, int to, DoubleDouble time, in Coasting coasting)
         {
-            Nothing nothing = default(Nothing);
+            Leap leap = default(Leap);
+            Coasting over = coasting;
+            over.Rest = time.Low;
             _kept.CopyTo(_now, from, to);
-            if (from % Width == 0 && to % Width == 0)
-            {
-                TLanes lanes = _lanes;
-                lanes.Select(from, to);
-                lanes.Prepare(time, coasting);
-                lanes.Step(new Instant(0, 0), ref nothing);
-                return;
-            }
-
             for (int i = from; i < to; i++)
             {
                 TBody one = One(i, isAll: true);
-                one.Prepare(time, coasting);
-                one.Step(new Instant(0, 0), ref nothing);
+                one.Prepare(time.High, over);
+                one.Step(new Instant(0, 0), ref leap);
                 Carry(ref one, _now.Row(i, isOut: true), isAll: true);
             }
         }

@@ -50,14 +50,16 @@ namespace RigidBodyDynamics
 
         public override void Keep(int from, int to) => Array.Copy(_now, from, _kept, from, to - from);
 
-        public override void Leap(int from, int to, double time, in Coasting coasting)
+        public override void Leap(int from, int to, DoubleDouble time, in Coasting coasting)
         {
-            Nothing nothing = default(Nothing);
+            Leap leap = default(Leap);
+            Coasting over = coasting;
+            over.Rest = time.Low;
             for (int i = from; i < to; i++)
             {
                 _now[i] = _kept[i];
-                _now[i].Prepare(time, coasting);
-                _now[i].Step(new Instant(0, 0), ref nothing);
+                _now[i].Prepare(time.High, over);
+                _now[i].Step(new Instant(0, 0), ref leap);
                 _preparedFor[i] = 0;
             }
         }

@@ -113,6 +113,27 @@ namespace RigidBodyDynamics
                 Turn();
         }
 
+        public void Leap(DoubleDouble time)
+        {
+            if (!HasClosedForm)
+            {
+                Advance(time.High);
+                return;
+            }
+
+            time = _scale * time;
+            if (!(_energy > Resting && _energy * time.High * time.High > NoTurn))
+                return;
+
+            Quaterniondd q = new Quaterniondd(_q, _qLost);
+            Vector3dd w = new Vector3dd(_w, _wLost);
+            _shape.Long.Advance(ref q, ref w, time);
+            _q = q.Rounded;
+            _qLost = q.Lost;
+            _w = w.Rounded;
+            _wLost = w.Lost;
+        }
+
         private void Prepare(double time)
         {
             Invariants(out double energy, out double separation);

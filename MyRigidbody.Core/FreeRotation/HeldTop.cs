@@ -21,6 +21,8 @@ namespace RigidBodyDynamics
 
         public void Advance(double time) { }
 
+        public void Leap(DoubleDouble time) { }
+
         public void Kick(in Vector3d world, in Vector3d body) { }
 
         public void Damp(in Decay decay) { }

@@ -27,8 +27,9 @@ namespace RigidBodyDynamics
             _inverseMoment = mass.InversePrincipalMoments.X;
             _q = orientation.Rounded;
             _qLost = orientation.Lost;
-            _w = orientation.Rotate(angularVelocity).Rounded;
-            _wLost = Vector3d.Zero;
+            Vector3dd w = orientation.Rotate(angularVelocity);
+            _w = w.Rounded;
+            _wLost = w.Lost;
             _preparedFor = double.NaN;
         }
 
@@ -56,6 +57,13 @@ namespace RigidBodyDynamics
             }
 
             SmallTurn.Add(ref _q, ref _qLost, _turn * _q);
+        }
+
+        public void Leap(DoubleDouble time)
+        {
+            Quaterniondd q = (Quaterniondd.Of(new Vector3dd(_w, _wLost), time) * new Quaterniondd(_q, _qLost)).Normalized;
+            _q = q.Rounded;
+            _qLost = q.Lost;
         }
     }
 }

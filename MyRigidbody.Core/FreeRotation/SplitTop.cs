@@ -44,6 +44,8 @@ namespace RigidBodyDynamics
 
         public void Damp(in Decay decay) => _m = decay.Of(_m);
 
+        public void Leap(DoubleDouble time) => Advance(time.High);
+
         public void Advance(double time)
         {
             Quaterniond q = _q;

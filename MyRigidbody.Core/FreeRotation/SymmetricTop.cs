@@ -41,10 +41,11 @@ namespace RigidBodyDynamics
             Vector3dd w = _axes.FromBody(angularVelocity);
             _q = q.Rounded;
             _qLost = q.Lost;
+            Vector3dd momentum = q.Rotate(Vector3dd.Scale(new Vector3d(_across, _across, _along), w));
             _w3 = w.Z.High;
-            _momentum = q.Rotate(Vector3dd.Scale(new Vector3d(_across, _across, _along), w)).Rounded;
-            _momentumLost = Vector3d.Zero;
-            _w3Lost = 0;
+            _w3Lost = w.Z.Low;
+            _momentum = momentum.Rounded;
+            _momentumLost = momentum.Lost;
             _preparedFor = double.NaN;
         }
 
@@ -65,6 +66,15 @@ namespace RigidBodyDynamics
             decay.Take(ref _w3, ref _w3Lost);
             decay.Take(ref _momentum, ref _momentumLost);
             _preparedFor = double.NaN;
+        }
+
+        public void Leap(DoubleDouble time)
+        {
+            DoubleDouble across = 1 / (DoubleDouble)_across, slip = (_across - (DoubleDouble)_along) * across;
+            Quaterniondd q = Quaterniondd.Of(across * new Vector3dd(_momentum, _momentumLost), time) * new Quaterniondd(_q, _qLost);
+            q = (q * Quaterniondd.Of(new Vector3dd(0, 0, slip * new DoubleDouble(_w3, _w3Lost)), time)).Normalized;
+            _q = q.Rounded;
+            _qLost = q.Lost;
         }
 
         public void Advance(double time)

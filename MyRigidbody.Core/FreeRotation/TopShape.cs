@@ -11,6 +11,8 @@ namespace RigidBodyDynamics
     /// </remarks>
     internal sealed class TopShape
     {
+        private LongTurn _long;
+
         /// <summary>From principal moments, kg m², and what takes principal axes to body axes.</summary>
         public TopShape(Vector3d principalMoments, Quaterniond frame)
         {
@@ -35,6 +37,9 @@ namespace RigidBodyDynamics
         }
 
         public PrincipalAxesOrder Axes { get; }
+
+        /// <summary>The same in twice the digits; made when it is first asked for.</summary>
+        public LongTurn Long => _long ?? (_long = new LongTurn(Axes.Moments));
 
         /// <summary>One over the moments as given, in the order of the axes.</summary>
         public Vector3d InverseMoments { get; }

@@ -61,7 +61,7 @@ namespace RigidBodyDynamics
         public void Step<TPush>(in Instant now, ref TPush push) where TPush : struct, IPush
         {
             if ((push.Traits & (PushTraits.Moves | PushTraits.Turns)) == 0)
-                Advance(_dt);
+                Free<TPush>();
             else
                 Compose(now, ref push);
 
@@ -71,6 +71,25 @@ namespace RigidBodyDynamics
                 _vLost = Decay.By(_coasting.LinearFactorPerStep, _vLost);
                 _top.Damp(_perStep);
             }
+        }
+
+        private void Free<TPush>() where TPush : struct, IPush
+        {
+            if (typeof(TPush) != typeof(Leap))
+            {
+                Advance(_dt);
+                return;
+            }
+
+            DoubleDouble time = new DoubleDouble(_dt, _coasting.Rest);
+            if (_canMove)
+            {
+                _whole.Move(ref _x, ref _xLost, ref _v, ref _vLost);
+                RunningSum.Add(ref _x, ref _xLost, time.Low * _v);
+            }
+
+            _top.Leap(Drift.TurningTimeOf(_coasting.AngularDampingRate, time));
+            _top.Damp(_whole.AngularDecay);
         }
 
         private void Compose<TPush>(in Instant now, ref TPush push) where TPush : struct, IPush

@@ -23,13 +23,24 @@ namespace RigidBodyDynamics
 
         public Quaterniondd Conjugate => new Quaterniondd(W, -1 * Vector);
 
+        /// <summary>The quaternion of length 1 in the same direction, to all digits.</summary>
+        public Quaterniondd Normalized => 1 / DoubleDouble.Sqrt(LengthSquared) * this;
+
         private DoubleDouble LengthSquared => W * W + Vector3dd.Dot(Vector, Vector);
 
-        /// <summary>The quaternion of length 1 in the same direction, to all digits.</summary>
-        public static Quaterniondd Unit(Quaterniond q)
+        /// <summary>The turn that a quaternion stands for.</summary>
+        public static Quaterniondd Unit(Quaterniond q) => new Quaterniondd(q.W, q.Vector).Normalized;
+
+        /// <summary>The turn that a rate (rad/s) makes in a time (s), by however many times it goes round.</summary>
+        public static Quaterniondd Of(Vector3dd rate, DoubleDouble time)
         {
-            Quaterniondd all = new Quaterniondd(q.W, q.Vector);
-            return (1 / DoubleDouble.Sqrt(all.LengthSquared)) * all;
+            DoubleDouble length = DoubleDouble.Sqrt(Vector3dd.Dot(rate, rate));
+            if (length.High == 0)
+                return new Quaterniondd(1, Vector3d.Zero);
+
+            DoubleDouble half = 0.5 * time * length;
+            Elementary.SinCos(half.High, out double sin, out double cos);
+            return new Quaterniondd((DoubleDouble)cos - half.Low * sin, ((DoubleDouble)sin + half.Low * cos) / length * rate);
         }
 
         public static Quaterniondd operator *(DoubleDouble s, Quaterniondd a) => new Quaterniondd(s * a.W, s * a.Vector);

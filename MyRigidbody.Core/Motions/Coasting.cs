@@ -27,6 +27,9 @@ namespace RigidBodyDynamics
         /// <summary>Factor on the angular velocity at the end of each step, whatever its length.</summary>
         public double AngularFactorPerStep;
 
+        /// <summary>What a double lacks of the time of a leap (<see cref="Leap"/>), s: of so many turns it would be seen.</summary>
+        internal double Rest;
+
         /// <summary>Nothing acts.</summary>
         public static Coasting Free => new Coasting { LinearFactorPerStep = 1, AngularFactorPerStep = 1 };
 

@@ -40,6 +40,28 @@ namespace RigidBodyDynamics
             RunningSum.Add(ref v, ref vLost, _gain);
         }
 
+        /// <summary><see cref="TurningTime"/> in twice the digits.</summary>
+        public static DoubleDouble TurningTimeOf(double rate, DoubleDouble duration)
+        {
+            DoubleDouble z = rate * duration;
+            if (z.High == 0)
+                return duration;
+
+            // 1 − e^(−z) by its series for a small z, and then 1 − e^(−2z) = p (2 − p)
+            int doublings = 0;
+            for (; Math.Abs(z.High) > 0.0625 && doublings < 64; doublings++)
+                z = 0.5 * z;
+
+            DoubleDouble p = 0;
+            for (int k = 20; k >= 1; k--)
+                p = z / k * (1 - p);
+
+            for (; doublings > 0; doublings--)
+                p = p * (2 - p);
+
+            return p / rate;
+        }
+
         // with φ₁ and φ₂ nothing cancels for small c h, and 1 − e^(−ch) is c s
         private static Decay Of(double rate, double h, out double s, out double r)
         {

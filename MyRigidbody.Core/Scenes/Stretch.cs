@@ -77,8 +77,12 @@ namespace RigidBodyDynamics
             {
                 integrator = Anchor;
                 Forget();
-                Prepare(ref integrator, steps.StartOf(block) - steps.StartOf(anchored));
-                integrator.Step(new Instant(anchored, steps.StartOf(anchored)), ref _sum);
+                DoubleDouble time = steps.Between(anchored, block);
+                Coasting coasting = _coasting;
+                coasting.Rest = time.Low;
+                Leap leap = default(Leap);
+                integrator.Prepare(time.High, coasting);
+                integrator.Step(new Instant(anchored, steps.StartOf(anchored)), ref leap);
                 from = block;
             }
 

@@ -15,7 +15,7 @@ namespace RigidBodyDynamics
 
         private readonly double _length;
         private readonly double[] _lengths;
-        private readonly double[] _starts;
+        private readonly double[] _starts, _rests;
 
         private TimeSteps(double length, long count)
         {
@@ -28,6 +28,7 @@ namespace RigidBodyDynamics
             Count = lengths.Count >= 1 ? lengths.Count : throw Guard.Refused("steps", lengths.Count, "must be at least 1");
             _lengths = new double[lengths.Count];
             _starts = new double[lengths.Count + 1];
+            _rests = new double[lengths.Count + 1];
             double sum = 0, lost = 0;
             for (int i = 0; i < _lengths.Length; i++)
             {
@@ -37,6 +38,7 @@ namespace RigidBodyDynamics
                 lost = (next - sum) - add;
                 sum = next;
                 _starts[i + 1] = sum;
+                _rests[i + 1] = -lost;
             }
         }
 
@@ -70,6 +72,11 @@ namespace RigidBodyDynamics
 
         /// <summary>Time at which a step starts, s; that of step <see cref="Count"/> is the end.</summary>
         public double StartOf(long step) => _starts == null ? step * _length : _starts[step];
+
+        /// <summary>Time from the start of a step to that of another, s, in twice the digits.</summary>
+        internal DoubleDouble Between(long from, long to) => _starts == null
+            ? (DoubleDouble)_length * (to - from)
+            : new DoubleDouble(_starts[to], _rests[to]) - new DoubleDouble(_starts[from], _rests[from]);
 
         /// <summary>The first step that starts at a time or after it; <see cref="Count"/> if none does.</summary>
         public long FirstAt(double time)

@@ -79,9 +79,16 @@ internal sealed record OtherEngines(IReadOnlyList<OtherEngines.Row> Rows, string
 
     private static double Error(CostMotion motion, string rule)
     {
-        Simulation simulation = new(StepFree.By(motion.Scene, rule, TimeSteps.Every(Step)), Omissions.All & ~Omissions.Coasting);
-        simulation.Step((long)Math.Round(Until / Step));
-        return Conserved.AngleBetween(simulation.Bodies[0].State.Orientation, motion.Truth.Samples[^1].Bodies[0].Orientation);
+        // what run gives, at its worst: one end value may be luck
+        Simulation simulation = new(StepFree.By(motion.Scene, rule, TimeSteps.Every(Step)));
+        double worst = 0;
+        foreach (TruthSample sample in motion.Truth.Samples)
+        {
+            simulation.Step((long)Math.Round(sample.At * motion.Truth.BaseStep / Step) - simulation.StepsDone);
+            worst = Math.Max(worst, Conserved.AngleBetween(simulation.Bodies[0].State.Orientation, sample.Bodies[0].Orientation));
+        }
+
+        return worst;
     }
 
     private static double Number(string text) => double.TryParse(text, NumberStyles.Float, CultureInfo.InvariantCulture, out double number) ? number : double.NaN;
