@@ -12,7 +12,7 @@ namespace RigidBodyDynamics.Judging
             Observation[] left = frames.Where(o => o.IsLeftToKeys).ToArray();
             return Push("force-changed", left, explanation.Velocity, o => o.After.Force, o => o.KeyForce)
                 .Concat(Push("torque-changed", left, explanation.AngularVelocity, o => o.After.Torque, o => o.KeyTorque))
-                .Concat(Inertia(frames));
+                .Concat(Inertia(frames)).Concat(Start(frames));
         }
 
         /// <summary>
@@ -38,6 +38,15 @@ namespace RigidBodyDynamics.Judging
                 Vector expected = Diagonal(first.Mass * Matrix.InertiaOf(first.Run.Setting.Vertices));
                 yield return Words.Finding(Step.Given, "inertia-changed", Text.Of(expected), Text.Of(Diagonal(first.Run.InertiaAtStart.Value))).From(first.Run.Name, 0);
             }
+        }
+
+        /// <summary>The body is at rest when the scene begins.</summary>
+        private static IEnumerable<Finding> Start(IReadOnlyList<Observation> frames)
+        {
+            Observation first = frames[0];
+            Vector v = first.Before.Velocity ?? Vector.Zero, w = first.Before.AngularVelocity ?? Vector.Zero;
+            if (!(v.Length <= 1e-4 && w.Length <= 1e-4))
+                yield return Words.Finding(Step.Given, "starts-moving", "v = 0, ω = 0", $"v = {Text.Of(v)}, ω = {Text.Of(w)}").From(first.Run.Name, 0);
         }
 
         private static bool Differs(Vector a, Vector b) => !((a - b).Length <= 1e-4 * (1 + b.Length));

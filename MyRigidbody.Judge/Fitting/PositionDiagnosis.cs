@@ -29,8 +29,15 @@ namespace RigidBodyDynamics.Judging
             if (d.Shape.Code != null)
                 findings.Add(Words.Finding(Step.Position, d.Shape.Code, Expected, found));
             if (factor != null)
-                findings.Add(Words.Finding(Step.Position, factor.EndsWith("time-for-dt") || factor == "two-time-steps" ? factor : "x-" + factor, Expected, found));
+                findings.Add(Words.Finding(Step.Position, Code(factor), Expected, found));
             return findings.Count > 0 ? findings : One(Other(explanation), found).ToList();
+        }
+
+        private static string Code(string factor)
+        {
+            if (factor == "time-for-dt" || factor == "two-time-steps")
+                return factor;
+            return factor.Contains("degrees") ? "x-factor" : "x-" + factor;
         }
 
         private static Finding[] One(string code, string found) => new[] { Words.Finding(Step.Position, code, Expected, found) };

@@ -92,6 +92,7 @@ namespace RigidBodyDynamics.Judging
             ["damping-formula"] = new[] { "what v and ω lose in a frame is not 2 %", "v 与 ω 每帧的损失不是 2 %" },
             ["force-changed"] = new[] { "the keys' force is not as it was handed out", "按键的力与下发的代码不同" },
             ["torque-changed"] = new[] { "the torque of the key R is not as it was handed out", "R 键的力矩与下发的代码不同" },
+            ["starts-moving"] = new[] { "the body does not start at rest", "物体开始时没有静止" },
             ["inertia-changed"] = new[] { "I_ref after Start is not Σ m (r·r 1 − r rᵀ) of the vertices", "Start 之后的 I_ref 不等于各顶点的 Σ m (r·r 1 − r rᵀ)" },
         };
 

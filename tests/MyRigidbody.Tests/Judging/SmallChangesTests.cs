@@ -1,0 +1,40 @@
+using NUnit.Framework;
+using RigidBodyDynamics.Judging;
+using RigidBodyDynamics.StudentScripts;
+
+namespace RigidBodyDynamics.Tests.Judging;
+
+/// <summary>
+/// Right scripts of the sample, changed in one place by a program. A change that moves the body otherwise must be found, one that does not
+/// must not be flagged. A few of them by default; all with MYRIGIDBODY_ALL_CHANGES=1, which takes the better part of an hour.
+/// </summary>
+internal sealed class SmallChangesTests
+{
+    private const int One = 60;
+
+    private static readonly bool All = Environment.GetEnvironmentVariable("MYRIGIDBODY_ALL_CHANGES") == "1";
+
+    [TestCase("210840007_学生一")]
+    [TestCase("210840035_学生五")]
+    [TestCase("210840070_学生一〇")]
+    public void A_small_change_is_found_if_and_only_if_it_makes_a_difference(string student)
+    {
+        string text = File.ReadAllText(TestData.Path("submissions", "class", student, "MyRigidbody.cs"));
+        using ScriptRunner runner = new();
+        Recording right = Run(runner, text).Recording!;
+        List<string> wrong = [];
+        foreach ((string name, string changed) in SmallChanges.Of(text).Where((_, i) => All || i % One == 0))
+        {
+            ScriptReport report = Run(runner, changed);
+            if (report.Recording == null)
+                continue;
+            bool differs = Difference.Between(right, report.Recording), isFlagged = Judge.Decide(report.Recording).Outcome != Outcome.Right;
+            if (differs != isFlagged)
+                wrong.Add($"{name} {(differs ? "was not found" : "was flagged and makes no difference")}");
+        }
+
+        Assert.That(wrong, Is.Empty);
+    }
+
+    private static ScriptReport Run(ScriptRunner runner, string text) => runner.Run([new ScriptFile("MyRigidbody.cs", System.Text.Encoding.UTF8.GetBytes(text))]);
+}
