@@ -6,8 +6,8 @@ namespace RigidBodyDynamics.Lab;
 /// </summary>
 public sealed class BodyByBody
 {
-    private const double SecondsPerTurn = 0.005;
-    private const int Turns = 10;
+    private const double SecondsPerTurn = 0.001;
+    private const int Turns = 40, MostShared = 100;
 
     private BodyByBody(IReadOnlyList<Advice> own, IReadOnlyList<Trial> oneRule, IReadOnlyList<Trial> oneStep)
     {
@@ -37,8 +37,8 @@ public sealed class BodyByBody
     /// <param name="error">The bound, as in <see cref="Advisor.Choose(Scene, double, Action{double}?)"/>.</param>
     /// <param name="progress">Told the fraction that is done.</param>
     /// <remarks>
-    /// Two steps are tried for all: the shortest that a body takes by itself, and that of the one rule. In longer ones
-    /// the body that needs the shortest would pay more than it must, in shorter ones all others would.
+    /// Two steps are tried for all: the longest that all can take, not above the shortest of their own, and that of the one rule. In longer
+    /// ones the body that needs the shortest would pay more than it must, in shorter ones all others would.
     /// </remarks>
     public static BodyByBody Of(Scene scene, Advice forAll, double error, Action<double>? progress = null)
     {
@@ -54,9 +54,7 @@ public sealed class BodyByBody
         Trial[] oneRule = forAll.Reached
             ? [.. alone.Select((body, i) => Trial.Of(body, own[i].Truth, forAll.Best.Row, forAll.Best.Step))]
             : [];
-        List<Trial>[][] byStep = [.. StepsForAll(own, forAll)
-            .Select(step => alone.Select((body, i) => Below(body, own[i], step, error)).ToArray())
-            .Where(bodies => bodies.All(trials => trials.Count > 0))];
+        List<Trial>[][] byStep = [.. StepsForAll(scene, own, forAll, step => AllBelow(alone, own, step, error)).OfType<List<Trial>[]>()];
 
         // what is added up and compared is timed in the same turns
         Trial[] all = [.. own.Select(advice => advice.Best).Concat(oneRule).Concat(byStep.SelectMany(bodies => bodies).SelectMany(trials => trials)).Distinct()];
@@ -64,17 +62,37 @@ public sealed class BodyByBody
         return new BodyByBody(own, oneRule, byStep.Select(bodies => bodies.Select(Advisor.FirstOfCheapest).ToArray()).MinBy(CostOf) ?? []);
     }
 
-    private static IEnumerable<double> StepsForAll(Advice[] own, Advice forAll)
+    /// <summary>What keeps the bodies below the bound, in the longest step that all can share and in that of the one rule.</summary>
+    private static IEnumerable<List<Trial>[]?> StepsForAll(Scene scene, Advice[] own, Advice forAll, Func<double, List<Trial>[]?> allBelow)
     {
         if (!own.All(advice => advice.Reached))
-            return [];
+            yield break;
 
         double shortest = own.Min(advice => advice.Best.Step);
-        return forAll.Reached ? new[] { shortest, forAll.Best.Step }.Distinct() : [shortest];
+        IEnumerable<double> shorter = StepSizes.Of(scene, forAll.Truth.Duration).Where(step => step < shortest).Take(MostShared);
+        yield return shorter.Prepend(shortest).Select(allBelow).FirstOrDefault(bodies => bodies != null);
+
+        if (forAll.Reached && forAll.Best.Step != shortest)
+            yield return allBelow(forAll.Best.Step);
+    }
+
+    /// <summary>For every body the rules that keep it below the bound in a step; null where one has none.</summary>
+    private static List<Trial>[]? AllBelow(Scene[] alone, Advice[] own, double step, double error)
+    {
+        List<Trial>[] below = new List<Trial>[alone.Length];
+        // who takes short steps by itself is the likeliest to have none
+        foreach (int i in Enumerable.Range(0, alone.Length).OrderBy(i => own[i].Best.Step))
+        {
+            below[i] = Below(alone[i], own[i], step, error);
+            if (below[i].Count == 0)
+                return null;
+        }
+
+        return below;
     }
 
     /// <summary>The rules that keep a body below the bound; in its own step only its own, which is known to be the cheapest.</summary>
     private static List<Trial> Below(Scene alone, Advice own, double step, double error) => own.Best.Step == step
         ? [own.Best]
-        : [.. Catalogue.Rows.Select(row => Trial.Of(alone, own.Truth, row, step)).Where(trial => Advisor.IsBelow(trial, own.Truth, error))];
+        : [.. Catalogue.Rows.Select(row => Trial.Of(alone, own.Truth, row, step, error, toItsEnd: false)).Where(trial => Advisor.IsBelow(trial, own.Truth, error))];
 }

@@ -11,6 +11,9 @@ internal sealed class Deviation
     /// <summary>Distance from the true position, m.</summary>
     public double Distance { get; private set; }
 
+    /// <summary>The larger of both.</summary>
+    public double Largest => Math.Max(Angle, Distance);
+
     /// <summary>Deviation of the kinetic energy, relative to the largest; in J where that is zero.</summary>
     public double Energy => _energyOff / (_energy > 0 ? _energy : 1);
 
@@ -28,7 +31,7 @@ internal sealed class Deviation
         _momentum = Larger(_momentum, momentum.Length);
         _energyOff = Larger(_energyOff, Math.Abs(Conserved.KineticEnergy(found, mass) - energy));
         _momentumOff = Larger(_momentumOff, (Conserved.AngularMomentum(found, mass) - momentum).Length);
-        return Math.Max(Angle, Distance) <= most;
+        return Largest <= most;
     }
 
     /// <summary>Keeps a NaN, which Math.Max does not do on every runtime.</summary>

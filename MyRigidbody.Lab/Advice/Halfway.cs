@@ -6,13 +6,18 @@ namespace RigidBodyDynamics.Lab;
 /// </summary>
 internal static class Halfway
 {
-    // where there are few steps each is looked into; of many, some, and as many as may be run up to
-    private const int FewSteps = 12, MostPlaces = 24, LeastPlaces = 4;
-    private const long MostSteps = 100_000;
-    private static readonly double[] Parts = [0.5, 0.25, 0.75];
+    /// <summary>An error between steps may be larger by so much than at the places that are looked at.</summary>
+    public const double Between = 1.05;
 
-    /// <summary>False if a state is further off than it may be.</summary>
-    public static bool Compare(Scene scene, Truth truth, Deviation[] found, double most)
+    // where there are few steps each is looked into; of many, some, and as many as may be run up to
+    private const int FewSteps = 32, PlacesPerStep = 8, LeastPlaces = 4;
+    private const long MostSteps = 100_000;
+
+    // the golden section: no two parts are alike, and no swing that fits into a step fits into them
+    private const double Golden = 0.6180339887498949;
+
+    /// <summary>Compares until a state is further off than it may be.</summary>
+    public static void Compare(Scene scene, Truth truth, Deviation[] found, double most)
     {
         foreach ((long step, double part) in Places(scene.Steps.Count))
         {
@@ -24,20 +29,16 @@ internal static class Halfway
             {
                 Body body = simulation.Bodies[i];
                 if (!found[i].Add(body.State, truth.At(i, (step + part) * length), body.Mass, most))
-                    return false;
+                    return;
             }
         }
-
-        return true;
     }
 
     /// <summary>Steps, and how much of each.</summary>
     private static IEnumerable<(long Step, double Part)> Places(long count)
     {
-        if (count <= FewSteps)
-            return Enumerable.Range(0, (int)count).SelectMany(step => Parts.Select(part => ((long)step, part)));
-
-        int places = (int)Math.Clamp(MostSteps / count, LeastPlaces, MostPlaces);
-        return Enumerable.Range(1, places).Select(i => ((count - 1) * i / places, Parts[i % Parts.Length]));
+        int most = FewSteps * PlacesPerStep;
+        int places = count <= FewSteps ? (int)count * PlacesPerStep : (int)Math.Clamp(2 * MostSteps / count, LeastPlaces, most);
+        return Enumerable.Range(0, places).Select(i => (count <= FewSteps ? i / PlacesPerStep : (count - 1) * (i + 1) / places, (i + 1) * Golden % 1));
     }
 }

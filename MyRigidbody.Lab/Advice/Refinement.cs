@@ -14,6 +14,7 @@ internal sealed class Refinement
     private readonly BodyDescription _body;
     private readonly double _end;
     private readonly IReadOnlyList<double> _cuts;
+    private BrokenEffectException? _broken;
 
     public Refinement(BodyDescription body, double end)
     {
@@ -25,16 +26,16 @@ internal sealed class Refinement
     /// <summary>The path, how far the one in steps twice as long was from it at all of its states, and what the last bit of the start changes.</summary>
     public (MotionPath Path, double Uncertainty, double Floor) Run(double still, Action<double> progress)
     {
-        (MotionPath Path, string Integrator, int Parts, double Change) best = (null!, string.Empty, 0, double.PositiveInfinity);
+        (MotionPath? Path, string Integrator, int Parts, double Change) best = (null, string.Empty, 0, double.PositiveInfinity);
         foreach (string integrator in new[] { HighestOrder(), "RungeKutta4" })
         {
             double before = double.PositiveInfinity;
             int slow = 0;
             bool rounds = false;
-            MotionPath last = Path(integrator, 1, 0);
+            MotionPath? last = Path(integrator, 1, 0);
             for (int parts = 2; Intervals(parts).Sum() <= MostIntervals && best.Change > still && slow < 2 && !rounds; parts *= 2)
             {
-                MotionPath next = Path(integrator, parts, 0);
+                MotionPath? next = Path(integrator, parts, 0);
                 double change = Apart(last, next);
                 progress(Math.Min(1, Intervals(parts).Sum() / (double)MostIntervals));
                 // a small change that grows again is made of roundings
@@ -51,7 +52,10 @@ internal sealed class Refinement
                 break;
         }
 
-        if (!Guard.IsFinite(best.Change))
+        if (best.Path == null && _broken != null)
+            throw _broken;
+
+        if (best.Path == null)
             throw Guard.Refused("body", _body.Name, "must have a motion without infinite numbers");
 
         return (best.Path, best.Change, Math.Min(Apart(best.Path, Path(best.Integrator, best.Parts, LastBit)), double.MaxValue));
@@ -77,8 +81,8 @@ internal sealed class Refinement
         return _cuts.Skip(1).Select((cut, i) => parts * (int)Math.Max(LeastBetweenCuts, Math.Ceiling((cut - _cuts[i]) / longest)));
     }
 
-    /// <summary>The motion from a start that is moved by a part of itself.</summary>
-    private MotionPath Path(string integrator, int parts, double nudge)
+    /// <summary>The motion from a start that is moved by a part of itself; null where the steps are too long for the effects.</summary>
+    private MotionPath? Path(string integrator, int parts, double nudge)
     {
         int[] intervals = [.. Intervals(parts)];
         List<double> lengths = [];
@@ -98,10 +102,18 @@ internal sealed class Refinement
         Simulation simulation = new Simulation(steps, body);
         BodyState[] states = new BodyState[lengths.Count + 1];
         states[0] = simulation.Bodies[0].State;
-        for (int i = 1; i < states.Length; i++)
+        try
         {
-            simulation.Step();
-            states[i] = simulation.Bodies[0].State;
+            for (int i = 1; i < states.Length; i++)
+            {
+                simulation.Step();
+                states[i] = simulation.Bodies[0].State;
+            }
+        }
+        catch (BrokenEffectException broken)
+        {
+            _broken = broken;
+            return null;
         }
 
         return new MotionPath(body, _cuts, intervals, steps, states);
@@ -110,8 +122,11 @@ internal sealed class Refinement
     private static Vector3d Nudged(Vector3d v, double e) => new Vector3d(v.X * (1 + e), v.Y * (1 - e), v.Z * (1 + e));
 
     /// <summary>How far a path is at most from the states of one that has as many or more, and at least the last bit of what is compared.</summary>
-    private static double Apart(MotionPath path, MotionPath other)
+    private static double Apart(MotionPath? path, MotionPath? other)
     {
+        if (path == null || other == null)
+            return double.PositiveInfinity;
+
         double largest = 0;
         for (int i = 0; i < other.States.Count; i++)
         {

@@ -7,24 +7,34 @@ public static class StepFree
     /// The scene with rates in place of factors: a factor f once a step becomes damping at the rate −ln(f) / step,
     /// 1/s, which leaves as much of a velocity after each step of the scene's own length.
     /// </summary>
-    /// <remarks>Refuses what has no such counterpart: values for every step, steps of several lengths, a factor of zero.</remarks>
+    /// <remarks>Refuses what has no such counterpart: values for every step, a factor in steps of several lengths, a factor of zero.</remarks>
     public static Scene Of(Scene scene)
     {
         TimeSteps steps = Guard.NotNull(scene, nameof(scene)).Steps;
-        long other = steps.FirstOfOtherLength;
-        if (other >= 0)
-            throw Guard.Refused("step[" + other + "]", steps.Length(other), "must be as long as step[0]");
-
         BodyDescription[] bodies = new BodyDescription[scene.Bodies.Count];
         for (int i = 0; i < bodies.Length; i++)
         {
             BodyDescription body = scene.Bodies[i];
             bodies[i] = body.Copy(body.Name, body.Mass).Without(effect => true);
             for (int j = 0; j < body.Effects.Count; j++)
-                Add(bodies[i], body.Effects[j], steps.Length(0), "bodies[" + i + "].effects[" + j + "]");
+                Add(bodies[i], body.Effects[j], steps, Place(i, j));
         }
 
         return new Scene(scene.Name, scene.About, steps, bodies);
+    }
+
+    /// <summary>Where a scene has a factor per step, and the rates of damping of velocity and spin, 1/s, that stand for it.</summary>
+    internal static IEnumerable<(string Place, double Linear, double Angular)> Rates(Scene scene)
+    {
+        for (int i = 0; i < scene.Bodies.Count; i++)
+        {
+            for (int j = 0; j < scene.Bodies[i].Effects.Count; j++)
+            {
+                Coasting coasting = Acts(scene.Bodies[i].Effects[j]);
+                if (HasFactor(coasting))
+                    yield return (Place(i, j), Rate(coasting.LinearFactorPerStep, scene.Steps), Rate(coasting.AngularFactorPerStep, scene.Steps));
+            }
+        }
     }
 
     /// <summary>The scene with other steps and another rule for every body.</summary>
@@ -40,27 +50,42 @@ public static class StepFree
         return new Scene(scene.Name, scene.About, steps, bodies);
     }
 
-    private static void Add(BodyDescription body, Effect effect, double step, string place)
+    private static void Add(BodyDescription body, Effect effect, TimeSteps steps, string place)
     {
         if (effect.Motion is PerStep)
             throw Guard.Refused(place, effect.Motion, "must not be given step by step");
 
-        Coasting coasting = Coasting.Free;
-        (effect.Motion as ICoast)?.AddTo(ref coasting);
-        double linear = coasting.LinearFactorPerStep, angular = coasting.AngularFactorPerStep;
-        if (linear == 1 && angular == 1)
+        Coasting coasting = Acts(effect);
+        if (!HasFactor(coasting))
         {
             body.With(effect);
             return;
         }
 
-        if (!(linear > 0 && angular > 0))
+        if (!(coasting.LinearFactorPerStep > 0 && coasting.AngularFactorPerStep > 0))
             throw Guard.Refused(place, effect.Motion, "must leave something of a velocity after a step");
 
+        long other = steps.FirstOfOtherLength;
+        if (other >= 0)
+            throw Guard.Refused("step[" + other + "]", steps.Length(other), "must be as long as step[0], because of the factor per step in " + place);
+
         body.With(new Gravity(coasting.Acceleration), effect.From, effect.To)
-            .With(new LinearDamping(coasting.LinearDampingRate + MinusLog(linear) / step), effect.From, effect.To)
-            .With(new AngularDamping(coasting.AngularDampingRate + MinusLog(angular) / step), effect.From, effect.To);
+            .With(new LinearDamping(coasting.LinearDampingRate + Rate(coasting.LinearFactorPerStep, steps)), effect.From, effect.To)
+            .With(new AngularDamping(coasting.AngularDampingRate + Rate(coasting.AngularFactorPerStep, steps)), effect.From, effect.To);
     }
+
+    private static string Place(int body, int effect) => "bodies[" + body + "].effects[" + effect + "]";
+
+    private static Coasting Acts(Effect effect)
+    {
+        Coasting coasting = Coasting.Free;
+        (effect.Motion as ICoast)?.AddTo(ref coasting);
+        return coasting;
+    }
+
+    private static bool HasFactor(in Coasting coasting) => coasting.LinearFactorPerStep != 1 || coasting.AngularFactorPerStep != 1;
+
+    private static double Rate(double factor, TimeSteps steps) => factor == 1 ? 0 : MinusLog(factor) / steps.Length(0);
 
     /// <summary>−ln x for 0 &lt; x ≤ 1: Halley's rule on e^(−y) = x, so that all runtimes agree.</summary>
     private static double MinusLog(double x)

@@ -53,18 +53,24 @@ public sealed class Trial
     /// <param name="truth">Its motion.</param>
     /// <param name="row">The rule.</param>
     /// <param name="step">Length of its steps, s.</param>
-    /// <param name="most">An error above it ends the run.</param>
-    public static Trial Of(Scene scene, Truth truth, CatalogueRow row, double step, double most = double.PositiveInfinity)
+    /// <param name="most">With an error above it a run is not looked at between its steps.</param>
+    /// <param name="toItsEnd">False: nor is it then run to its end.</param>
+    public static Trial Of(Scene scene, Truth truth, CatalogueRow row, double step, double most = double.PositiveInfinity, bool toItsEnd = true)
     {
         Guard.NotNull(truth, nameof(truth));
         TimeSteps steps = TimeSteps.Until(truth.Duration, step);
         Trial trial = new Trial(StepFree.By(StepFree.Of(scene), Guard.NotNull(row, nameof(row)).Name, steps), row, step);
         try
         {
-            Deviation[] found = [.. trial.Scene.Bodies.Select(body => new Deviation())];
-            trial.GaveUp = !trial.Compare(truth, found, most) || (truth.Samples.Count == 0 && !Halfway.Compare(trial.Scene, truth, found, most));
-            trial.AngleError = found.Max(body => body.Angle);
-            trial.PositionError = found.Max(body => body.Distance);
+            Deviation[] found = [.. trial.Scene.Bodies.Select(body => new Deviation())], halfway = [.. found.Select(_ => new Deviation())];
+            trial.Compare(truth, found, toItsEnd ? double.PositiveInfinity : most);
+            bool isKept = found.All(body => body.Largest <= most);
+            if (isKept && truth.Samples.Count == 0)
+                Halfway.Compare(trial.Scene, truth, halfway, most);
+
+            trial.GaveUp = !isKept && !toItsEnd;
+            trial.AngleError = Math.Max(found.Max(body => body.Angle), Halfway.Between * halfway.Max(body => body.Angle));
+            trial.PositionError = Math.Max(found.Max(body => body.Distance), Halfway.Between * halfway.Max(body => body.Distance));
             trial.EnergyDrift = found.Max(body => body.Energy);
             trial.MomentumDrift = found.Max(body => body.Momentum);
         }
@@ -81,7 +87,7 @@ public sealed class Trial
         return trial;
     }
 
-    private bool Compare(Truth truth, Deviation[] found, double most)
+    private void Compare(Truth truth, Deviation[] found, double most)
     {
         Simulation simulation = new Simulation(Scene);
         foreach (long step in truth.Known(Scene.Steps))
@@ -91,10 +97,8 @@ public sealed class Trial
             {
                 Body body = simulation.Bodies[i];
                 if (!found[i].Add(body.State, truth.At(i, simulation.Time), body.Mass, most))
-                    return false;
+                    return;
             }
         }
-
-        return true;
     }
 }

@@ -18,7 +18,7 @@ internal static class BodyByBodyReport
         {
             Trial own = found.Own[i].Best;
             string[] inOneStep = sharesStep ? Cells(found.OneStep[i]) : [];
-            string[] cells = [scene.Bodies[i].Name + (found.Own[i].Reached ? string.Empty : " (closest)"), own.Row.Name, CostTables.Step(own.Step), .. Cells(own)[1..], .. inOneStep];
+            string[] cells = [scene.Bodies[i].Name + (found.Own[i].Reached ? string.Empty : " (closest)"), own.Row.Name, CostTables.ExactStep(own.Step), .. Cells(own)[1..], .. inOneStep];
             table.AddRow(cells);
         }
 

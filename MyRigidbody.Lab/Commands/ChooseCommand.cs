@@ -3,14 +3,15 @@ using System.Text.Json;
 using System.Text.Json.Nodes;
 using RigidBodyDynamics.Lab.Comparison;
 using RigidBodyDynamics.Lab.Output;
+using RigidBodyDynamics.Lab.Report;
 
 namespace RigidBodyDynamics.Lab.Commands;
 
 /// <summary>The cheapest integrator and step that keep the error of a scene below a bound, and of each body by itself.</summary>
 internal static class ChooseCommand
 {
-    private const double SecondsPerTurn = 0.005;
-    private const int Turns = 20;
+    private const double SecondsPerTurn = 0.001;
+    private const int Turns = 40;
 
     public static Command Create()
     {
@@ -36,7 +37,7 @@ internal static class ChooseCommand
     private static int Execute(string path, double error, bool asJson)
     {
         Overrides.Named("--error", () => Guard.Positive(error, "error"));
-        Scene scene = Overrides.Named(path, () => StepFree.Of(SceneReader.Read(path).Scene));
+        Scene asked = SceneReader.Read(path).Scene, scene = Overrides.Named(path, () => StepFree.Of(asked));
         Advice advice = null!;
         Trial lab = null!;
         BodyByBody? each = null;
@@ -56,11 +57,11 @@ internal static class ChooseCommand
 
         if (asJson)
         {
-            Terminal.WriteJson(Json(scene, error, advice, lab, each));
+            Terminal.WriteJson(Json(asked, error, advice, lab, each));
         }
         else
         {
-            Print(scene, error, advice, lab);
+            Print(asked, error, advice, lab, path);
             if (each != null)
             {
                 BodyByBodyReport.Print(scene, error, advice, each);
@@ -73,7 +74,7 @@ internal static class ChooseCommand
                 + (each is { Reached: true } ? "; body by body they do" : string.Empty));
     }
 
-    private static void Print(Scene scene, double error, Advice advice, Trial lab)
+    private static void Print(Scene scene, double error, Advice advice, Trial lab, string path)
     {
         TextTable table = new TextTable("", "integrator", "step, s", "error", "µs per s", "× lab").RightAligned(2, 3, 4, 5);
 
@@ -88,13 +89,23 @@ internal static class ChooseCommand
         Terminal.WriteText("µs per s: per simulated second and body. × lab: a step, in steps of LabEuler.");
         if (advice.RunnerUp != null)
         {
-            Terminal.WriteText($"{advice.RunnerUp.Row.Name} costs {CostTables.Number(advice.Factor)} times as much as {advice.Best.Row.Name}.");
+            string how = FormattableString.Invariant($"in {advice.RoundsWon} of {advice.Rounds} rounds of measurement {advice.Best.Row.Name} was the cheaper");
+            Terminal.WriteText($"{advice.RunnerUp.Row.Name} costs {CostTables.Number(advice.Factor)} times as much as {advice.Best.Row.Name}: {how}{(advice.IsTie ? "; a tie, to this clock" : string.Empty)}.");
+        }
+
+        if (advice.Reached)
+        {
+            Terminal.WriteText($"To have it: {Shell.Line("run", path, "--integrator", advice.Best.Row.Name, "--step", CostTables.ExactStep(advice.Best.Step))}");
+            foreach ((string place, double linear, double angular) in StepFree.Rates(scene))
+            {
+                Terminal.WriteText(FormattableString.Invariant($$"""with, in place of {{place}}, { "linearDamping": {{linear:R}} }, { "angularDamping": {{angular:R}} }: in other steps its factor is another drag."""));
+            }
         }
 
         void Add(string what, Trial trial) => table.AddRow(
             what,
             trial.Row.Name,
-            CostTables.Step(trial.Step),
+            CostTables.ExactStep(trial.Step),
             CostTables.Error(trial.Error),
             CostTables.Number(1e6 * trial.Cost),
             CostTables.Number(trial.NanosecondsPerStep / lab.NanosecondsPerStep));
@@ -112,6 +123,7 @@ internal static class ChooseCommand
             step = advice.Best.Step,
             measuredError = OrNull(advice.Best.Error),
             secondsPerSimulatedSecond = OrNull(advice.Best.Cost),
+            steps = advice.Best.Steps,
             stepsOfTheLab = OrNull(advice.Best.NanosecondsPerStep / lab.NanosecondsPerStep),
             runnerUp = advice.RunnerUp == null ? null : new
             {
@@ -120,7 +132,11 @@ internal static class ChooseCommand
                 measuredError = advice.RunnerUp.Error,
                 secondsPerSimulatedSecond = advice.RunnerUp.Cost,
                 timesAsDear = advice.Factor,
+                rounds = advice.Rounds,
+                roundsDearer = advice.RoundsWon,
+                isTie = advice.IsTie,
             },
+            inPlaceOfFactors = StepFree.Rates(scene).Select(rate => new { effect = rate.Place, linearDamping = rate.Linear, angularDamping = rate.Angular }),
             truth = new { uncertainty = advice.Truth.Uncertainty, attainable = advice.Truth.Floor },
         }).AsObject();
         if (each != null)

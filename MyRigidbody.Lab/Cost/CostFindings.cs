@@ -8,6 +8,9 @@ internal sealed record CostFindings(CostMotion Motion, IReadOnlyList<Trial> Tria
     /// <summary>Errors for which the cheapest rule is named.</summary>
     public static readonly double[] Bounds = [1e-3, 1e-6, 1e-9];
 
+    /// <summary>How many steps the truth's base step is divided into: from 1 s down to 0.1 ms where that is 1 s.</summary>
+    internal static readonly int[] Parts = [1, 2, 5, 10, 20, 50, 100, 200, 500, 1000, 2000, 5000, 10000];
+
     // of a motion of hours only the longer steps
     private const long MostSteps = 20_000_000;
 
@@ -15,7 +18,7 @@ internal sealed record CostFindings(CostMotion Motion, IReadOnlyList<Trial> Tria
     public static CostFindings Of(CostMotion motion, Effort effort, Action<double> report)
     {
         double last = motion.Truth.Duration / motion.Truth.BaseStep;
-        int[] parts = [.. Advisor.Parts.Take(effort.StepSizes).Where(parts => last * parts <= MostSteps)];
+        int[] parts = [.. Parts.Take(effort.StepSizes).Where(parts => last * parts <= MostSteps)];
         List<Trial> trials = [];
         foreach (CatalogueRow row in Catalogue.Rows)
         {
@@ -59,7 +62,7 @@ internal sealed record CostFindings(CostMotion Motion, IReadOnlyList<Trial> Tria
 internal sealed record Effort(int StepSizes, double SecondsPerTurn, int Turns)
 {
     /// <summary>For a page of results.</summary>
-    public static readonly Effort Whole = new(Advisor.Parts.Count, 0.003, 15);
+    public static readonly Effort Whole = new(CostFindings.Parts.Length, 0.003, 15);
 
     /// <summary>For a first look.</summary>
     public static readonly Effort Quick = new(11, 0.002, 5);

@@ -57,5 +57,8 @@ internal static class CostTables
     /// <summary>A step with the digits that it has.</summary>
     public static string Step(double step) => step.ToString("G4", CultureInfo.InvariantCulture);
 
+    /// <summary>A step with all of its digits: it is to be typed.</summary>
+    public static string ExactStep(double step) => step.ToString("R", CultureInfo.InvariantCulture);
+
     private static string Exponent(double bound) => bound.ToString("0e+0", CultureInfo.InvariantCulture);
 }

@@ -60,12 +60,25 @@ public sealed class StepFreeTests
         Vector3d[] kicks = [new(1, 0, 0), new(2, 0, 0)];
         Scene perStep = SceneOf(TimeSteps.Every(0.1, 2), body => body.With(new Key(LabKey.R)).With(new PerStep(kicks, [])));
         Scene stop = SceneOf(TimeSteps.Every(0.1, 2), body => body.With(new DecayPerStep(0, 1)));
-        Scene uneven = SceneOf(TimeSteps.Of([0.1, 0.1, 0.25]), body => body);
+        TimeSteps lengths = TimeSteps.Of([0.1, 0.1, 0.25]);
+        Scene uneven = SceneOf(lengths, body => body.With(new Key(LabKey.R)).With(new DecayPerStep(0.98, 1)));
 
         Assert.That(() => StepFree.Of(perStep), Refused("bodies[0].effects[1]: ", "a force for each of 2 steps"));
         Assert.That(() => StepFree.Of(stop), Refused("bodies[0].effects[0]: ", "v × 0"));
-        Assert.That(() => StepFree.Of(uneven), Refused("step[2]: ", "0.25"));
-        Assert.That(() => StepFree.Of(SceneOf(TimeSteps.Of([0.1, 0.1]), body => body)), Throws.Nothing);
+        Assert.That(() => StepFree.Of(uneven), Refused("step[2]: ", "because of the factor per step in bodies[0].effects[1], found 0.25"));
+        Assert.That(() => StepFree.Of(SceneOf(lengths, body => body.With(new LinearDamping(2)))), Throws.Nothing);
+    }
+
+    [Test]
+    public void Rates_of_factors_are_named_by_their_places()
+    {
+        Scene scene = SceneOf(TimeSteps.Every(0.02, 500), body => body.With(new Key(LabKey.R)).With(new DecayPerStep(0.98, 1)));
+
+        (string place, double linear, double angular) = StepFree.Rates(scene).Single();
+
+        Assert.That(place, Is.EqualTo("bodies[0].effects[1]"));
+        Assert.That(linear, Is.EqualTo(-Math.Log(0.98) / 0.02).Within(1e-14)); // measured 1.3e-15
+        Assert.That(angular, Is.Zero);
     }
 
     private static NUnit.Framework.Constraints.IResolveConstraint Refused(string place, string value) =>

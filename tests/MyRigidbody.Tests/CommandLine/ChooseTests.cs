@@ -50,6 +50,7 @@ public sealed class ChooseTests
         Assert.That(lab.ExitCode, Is.Zero, lab.Error);
         Assert.That(lab.Error, Is.Empty);
         Assert.That(lab.Output, Does.Contain("cheapest").And.Contain("next").And.Contain("times as much as"));
+        Assert.That(lab.Output, Does.Match("in [0-9]+ of [0-9]+ rounds of measurement").And.Match("To have it: run .*fall-with-drag.json.* --integrator [A-Za-z0-9]+ --step [0-9.E-]+\\n"));
         Assert.That(lab.Output, Does.Contain("body by body").And.Contain("│ quadratic drag").And.Contain("│ linear damping"));
         Assert.That(lab.Output, Does.Contain("All bodies together").And.Contain("in its own step").And.Contain("whose file then says \"step\": "));
         Assert.That(Directory.EnumerateFileSystemEntries(folder.Path), Is.Empty);
@@ -94,16 +95,11 @@ public sealed class ChooseTests
         File.WriteAllText(folder.File("advised.json"), SlabAndTop(oneStep.GetProperty("step").GetDouble(), integrators[0], integrators[1]));
         LabProcess run = LabProcess.Run(folder.Path, "run", "advised.json", "--every", "0");
 
-        // the last row of each solution to 20 digits that is at 18 s
         Assert.That(run.ExitCode, Is.Zero, run.Error);
-        double[][] ends = [.. run.Output.TrimEnd().Split('\n').Skip(1)
-            .Select(line => line.Split(',').Skip(1).Select(cell => double.Parse(cell, CultureInfo.InvariantCulture)).ToArray())];
-        foreach ((double[] end, string solved) in ends.Zip(new[] { "dzhanibekov_1e-3", "lagrange_top" }))
-        {
-            Quaterniond right = ExactCase.Read(solved).Samples.Single(sample => sample.Time == 18).Orientation;
-            Assert.That(end[1], Is.EqualTo(18).Within(1e-9)); // measured 0
-            Assert.That(Conserved.AngleBetween(new Quaterniond(end[5], end[6], end[7], end[8]), right), Is.LessThan(error), solved);
-        }
+        Promise kept = Promise.Of(folder.File("advised.json"));
+        // plain coordinates keep seven digits only of how close the slab comes to its middle axis
+        Assert.That(kept.Still, Is.LessThan(0.1 * error)); // measured 3.0e-8
+        Assert.That(kept.Error, Is.LessThan(error));
     }
 
     [Test]
@@ -121,16 +117,34 @@ public sealed class ChooseTests
     [Test]
     public void Error_that_is_kept_body_by_body_only_is_said_to_be()
     {
-        // 700 m rounded a thousand times are further off than 4e-12 m, and in less than a thousand steps no rule turns the top that well
-        const string far = """{ "name": "far", "canTurn": false, "position": [100, 200, 0], "velocity": [30, 0.1, 7] },""";
+        // pushed from 1/3 s on, and from 0.7310585 s on: a step that meets both is shorter than any that is tried
+        const string pushed = """{ "name": "NAME", "canTurn": false, "effects": [ { "force": [3, 0, 0], "from": FROM } ] }""";
+        string a = pushed.Replace("NAME", "a", StringComparison.Ordinal).Replace("FROM", "0.3333333333333333", StringComparison.Ordinal);
+        string b = pushed.Replace("NAME", "b", StringComparison.Ordinal).Replace("FROM", "0.7310585", StringComparison.Ordinal);
         using TemporaryFolder folder = new();
-        File.WriteAllText(folder.File("far.json"), SlabAndTop(0.02, "Exact", "Exact").Replace("\"bodies\": [", "\"bodies\": [" + far, StringComparison.Ordinal));
+        File.WriteAllText(folder.File("odd.json"), $$"""{ "schema": "rigid-body-scene/1", "name": "odd", "step": 0.1, "duration": 3, "bodies": [{{a}}, {{b}}] }""");
 
-        LabProcess lab = LabProcess.Run(folder.Path, "choose", "far.json", "--error", "4e-12");
+        LabProcess lab = LabProcess.Run(folder.Path, "choose", "odd.json", "--error", "1e-9");
 
         Assert.That(lab.ExitCode, Is.EqualTo(1));
-        Assert.That(lab.Error, Does.StartWith("error: far.json: no integrator and step keep the error below 4E-12").And.EndWith("; body by body they do\n"));
+        Assert.That(lab.Error, Does.StartWith("error: odd.json: no integrator and step keep the error below 1E-09: the step: ")
+            .And.EndWith("; none meets all the times at which effects begin and end; body by body they do\n"));
         Assert.That(lab.Output, Does.Contain("All bodies together").And.Contain("in its own step").And.Not.Contain("\"step\": "));
+    }
+
+    [Test]
+    public void Factor_per_step_is_named_as_the_rate_for_which_the_answer_holds()
+    {
+        using TemporaryFolder folder = new();
+
+        LabProcess lab = LabProcess.Run(folder.Path, "choose", Path.Combine(Gallery.Folder, "lab.json"), "--error", "0.01", "--json");
+
+        Assert.That(lab.ExitCode, Is.Zero, lab.Error);
+        using JsonDocument json = JsonDocument.Parse(lab.Output);
+        JsonElement rate = json.RootElement.GetProperty("inPlaceOfFactors").EnumerateArray().Single();
+        Assert.That(rate.GetProperty("effect").GetString(), Is.EqualTo("bodies[0].effects[3]"));
+        Assert.That(rate.GetProperty("linearDamping").GetDouble(), Is.EqualTo(-Math.Log(0.98) / 0.02).Within(1e-14)); // measured 1.3e-15
+        Assert.That(json.RootElement.GetProperty("runnerUp").GetProperty("rounds").GetInt32(), Is.GreaterThan(0));
     }
 
     private static string SlabAndTop(double step, string slab, string top) => string.Create(CultureInfo.InvariantCulture, $$"""
