@@ -30,6 +30,7 @@ internal static class Program
             IntegratorsCommand.Create(),
             GradeCommand.Create(),
             PackCommand.Create(),
+            CheckCommand.Create(),
         };
         // with no command at all: the lab's scene, both bodies
         root.SetAction(_ => CompareCommand.Execute(Gallery.Lab, CompareCommand.DefaultFolder, CompareCommand.DefaultTolerance));

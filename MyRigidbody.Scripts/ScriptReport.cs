@@ -7,8 +7,9 @@ namespace RigidBodyDynamics.StudentScripts;
 /// <param name="Comments">How much of what was added has a comment.</param>
 /// <param name="File">The file that was judged; null where no script was found.</param>
 /// <param name="Text">Its text; empty where there is none.</param>
+/// <param name="Lines">The line of each step that can be told, from 1.</param>
 /// <param name="Recording">What was seen of it; null where it was not run to its end.</param>
-public sealed record ScriptReport(Verdict Verdict, CommentCoverage Comments, string? File, string Text, Recording? Recording);
+public sealed record ScriptReport(Verdict Verdict, CommentCoverage Comments, string? File, string Text, IReadOnlyDictionary<Step, int> Lines, Recording? Recording);
 
 /// <summary>Statements that were added to the starter, and how many of them have a comment.</summary>
 /// <param name="Statements">Statements added or changed.</param>

@@ -10,7 +10,7 @@ namespace RigidBodyDynamics.StudentScripts;
 public sealed class ScriptRunner : IDisposable
 {
     // by then any script has long been stopped by the meter; what is left is what the meter cannot see
-    private const double MostProcessorTime = 20, MostTime = 120;
+    private const double MostProcessorTime = 10, MostTime = 120;
 
     private const long MostMemory = 1_200_000_000;
 
@@ -74,9 +74,9 @@ public sealed class ScriptRunner : IDisposable
             Child dead = _child!;
             _child = null;
             dead.Dispose();
-            string code = watch.Why ?? Deaths.Code(dead.LastWords);
-            Finding died = Words.Stopped(code, code == "ended" ? dead.LastWords.Split('\n')[0].Trim() : look == null ? Compilation.Sources.ClassName : "Update");
-            return new Attempt(Reports.Refused(look, files, [died]), true);
+            string code = look == null ? "too-complex" : watch.Why ?? Deaths.Code(dead.LastWords);
+            Finding died = Words.Stopped(code, code is "ended" or "too-complex" ? dead.LastWords.Split('\n')[0].Trim() : "Update");
+            return new Attempt(Reports.Refused(look, files, [died]), watch.Why == null);
         }
     }
 

@@ -75,7 +75,9 @@ internal static class Words
         "memory" => Code(code, "memory that does not grow", message + " keeps more and more memory",
             $"{message} keeps more memory than the script may have. Do not collect something in every frame.", $"{message} 占用的内存过多，不要在每一帧都保存大量数据。"),
         "ended" => Code(code, "a script that runs", message,
-            "The script has ended the process in which it ran.", "脚本使运行它的进程意外结束。"),
+            "The script broke what it runs in.", "脚本破坏了运行它的环境。"),
+        "too-complex" => Code(code, "a script that a compiler can read", message,
+            "The compiler does not come to an end with this script.", "编译器无法处理这个脚本。"),
         _ => Code("does-not-end", "a script that ends", "it did not answer in time",
             "The script did not answer in time and was stopped.", "脚本超时，已停止。"),
     };

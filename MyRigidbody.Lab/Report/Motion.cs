@@ -49,6 +49,23 @@ internal sealed class Motion
         return motion;
     }
 
+    /// <summary>Bodies that were followed elsewhere, at the start and after every step.</summary>
+    /// <param name="steps">The steps.</param>
+    /// <param name="tracks">The bodies.</param>
+    /// <param name="pairs">Which of them are compared.</param>
+    public static Motion Of(TimeSteps steps, IReadOnlyList<Track> tracks, IReadOnlyList<(int First, int Second)> pairs)
+    {
+        Motion motion = new(steps, tracks.Count);
+        motion.Tracks.AddRange(tracks);
+        motion.At.AddRange(Enumerable.Range(0, tracks[0].States.Count).Select(at => (long)at));
+        motion.Pairs.AddRange(pairs.Select(pair => new Distances(
+            pair.First,
+            pair.Second,
+            [.. tracks[pair.First].States.Zip(tracks[pair.Second].States, (a, b) => (a.Position - b.Position).Length)],
+            [.. tracks[pair.First].States.Zip(tracks[pair.Second].States, (a, b) => Conserved.AngleBetween(a.Orientation, b.Orientation))])));
+        return motion;
+    }
+
     /// <summary>A recorded body and ours beside it; the moments are after every step.</summary>
     public static Motion Of(Scene scene, string recorded, IReadOnlyList<Compared> course)
     {

@@ -6,6 +6,9 @@ internal sealed record Word(string En, string Zh)
     /// <summary>A name, which is the same in all languages.</summary>
     public static Word Name(string name) => new(name, name);
 
+    /// <summary>In one of them.</summary>
+    public string In(bool chinese) => chinese ? Zh : En;
+
     /// <summary>With something put in the places {0}, {1}, ....</summary>
     public Word With(params object[] parts) => new(Put(En, parts, word => word.En), Put(Zh, parts, word => word.Zh));
 
@@ -35,6 +38,8 @@ internal static class Words
             "Of {0} steps, {1} evenly chosen moments are shown; the last one is among them. In between, the pictures are interpolated.",
             "共 {0} 步，均匀选取了 {1} 个时刻显示（包括最后时刻）；中间的画面由插值得到。"),
         ["fewer.bodies"] = new("Of {0} bodies, the first {1} are shown.", "共 {0} 个刚体，显示前 {1} 个。"),
+
+        ["check"] = new("The five steps", "五个步骤"),
 
         ["plots"] = new("Over time", "随时间变化"),
         ["plots.label"] = new("Curves over time; the same numbers are in {0}.", "随时间变化的曲线；同样的数据在 {0} 中。"),

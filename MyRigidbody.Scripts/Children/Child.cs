@@ -7,6 +7,9 @@ namespace RigidBodyDynamics.StudentScripts.Children;
 /// <summary>The parent's side of a child process: it is watched while it works, and ended when it takes too much.</summary>
 internal sealed class Child : IDisposable
 {
+    /// <summary>How the empty folder of a child begins.</summary>
+    public const string FolderPrefix = "script-";
+
     private const int MostErrorText = 4000;
 
     // a child's own heap; what it takes beside that is counted from outside
@@ -22,6 +25,7 @@ internal sealed class Child : IDisposable
         _folder = folder;
         _process.ErrorDataReceived += (_, line) => Note(line.Data);
         _process.BeginErrorReadLine();
+        AppDomain.CurrentDomain.ProcessExit += End;
         Input = new BinaryWriter(_process.StandardInput.BaseStream);
         Output = new BinaryReader(new BufferedStream(_process.StandardOutput.BaseStream, 1 << 16));
     }
@@ -63,7 +67,7 @@ internal sealed class Child : IDisposable
     /// <exception cref="InvalidOperationException">It does not start.</exception>
     public static Child Start(string starter)
     {
-        DirectoryInfo folder = Directory.CreateTempSubdirectory("script-");
+        DirectoryInfo folder = Directory.CreateTempSubdirectory(FolderPrefix);
         ProcessStartInfo start = new(Dotnet(), ["exec", typeof(Child).Assembly.Location, Server.Command])
         {
             RedirectStandardInput = true,
@@ -122,16 +126,28 @@ internal sealed class Child : IDisposable
 
     public void Dispose()
     {
+        AppDomain.CurrentDomain.ProcessExit -= End;
         Kill();
         _process.WaitForExit();
         _process.Dispose();
+        TakeAwayFolder();
+    }
+
+    private void End(object? sender, EventArgs e)
+    {
+        Kill();
+        TakeAwayFolder();
+    }
+
+    private void TakeAwayFolder()
+    {
         try
         {
             _folder.Delete(recursive: true);
         }
-        catch (IOException)
+        catch (Exception left) when (left is IOException or UnauthorizedAccessException)
         {
-            // somebody looks into it: it is empty, and the system clears such folders
+            // the child was quicker, or somebody looks into it: it is empty
         }
     }
 

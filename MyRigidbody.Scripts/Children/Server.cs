@@ -10,8 +10,8 @@ internal static class Server
     /// <summary>The word with which a process becomes a child.</summary>
     public const string Command = "serve";
 
-    // compilers go deep into nested expressions
-    private const int StackBytes = 64 << 20;
+    // more than any script of the lab needs, and little enough that the compiler soon gives up on one that nests without end
+    private const int StackBytes = 8 << 20;
 
     /// <summary>Serves until standard input ends; then it ends at once, whatever a script is doing.</summary>
     public static int Run()
@@ -36,7 +36,23 @@ internal static class Server
         }
         catch (EndOfStreamException)
         {
+            TakeAwayFolder();
             return 0;
+        }
+    }
+
+    // who started this process takes the folder away, unless it was killed
+    private static void TakeAwayFolder()
+    {
+        string folder = Directory.GetCurrentDirectory();
+        try
+        {
+            if (Path.GetFileName(folder).StartsWith(Child.FolderPrefix, StringComparison.Ordinal))
+                Directory.Delete(folder);
+        }
+        catch (IOException)
+        {
+            // it is gone already
         }
     }
 

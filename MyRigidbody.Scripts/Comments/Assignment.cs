@@ -12,15 +12,23 @@ internal sealed record Assignment(string Name, int Line, bool Damps)
 {
     public const string Position = "transform.position", Rotation = "transform.rotation";
 
+    /// <summary>Where a quaternion without a real part is made, as [0, ½Δt ω] is.</summary>
+    public const string PureQuaternion = "[0, ω]";
+
     public static IReadOnlyList<Assignment> In(SyntaxTree tree) =>
         [.. tree.GetRoot().DescendantNodes().Where(IsInFrame).Select(Of).OfType<Assignment>().OrderBy(assignment => assignment.Line)];
 
     private static Assignment? Of(SyntaxNode node) => node switch
     {
         AssignmentExpressionSyntax set when Target(set.Left) is { } name => new Assignment(name, LineOf(node), Multiplies(set)),
-        InvocationExpressionSyntax { Expression: MemberAccessExpressionSyntax called } when Moved(called.Name.Identifier.ValueText) is { } moved => new Assignment(moved, LineOf(node), false),
+        InvocationExpressionSyntax { Expression: MemberAccessExpressionSyntax called } when IsObject(called.Expression) && Moved(called.Name.Identifier.ValueText) is { } moved =>
+            new Assignment(moved, LineOf(node), false),
+        ObjectCreationExpressionSyntax { Type: IdentifierNameSyntax { Identifier.ValueText: "Quaternion" }, ArgumentList.Arguments: { Count: 4 } parts }
+            when parts[3].ToString() is "0" or "0f" or "0.0f" => new Assignment(PureQuaternion, LineOf(node), false),
         _ => null,
     };
+
+    private static bool IsObject(ExpressionSyntax owner) => owner.ToString() is not ("Matrix4x4" or "Quaternion" or "Vector3");
 
     private static string? Moved(string method) => method switch
     {
@@ -50,7 +58,7 @@ internal sealed record Assignment(string Name, int Line, bool Damps)
             && (method.Contains("ecay", StringComparison.Ordinal) || method.Contains("amp", StringComparison.Ordinal)));
 
     private static bool IsInFrame(SyntaxNode node) =>
-        node is AssignmentExpressionSyntax or InvocationExpressionSyntax
+        node is AssignmentExpressionSyntax or InvocationExpressionSyntax or ObjectCreationExpressionSyntax
         && node.FirstAncestorOrSelf<MethodDeclarationSyntax>() is { Identifier.ValueText: not ("Start" or "Awake" or "OnEnable" or "Reset") };
 
     private static int LineOf(SyntaxNode node) => node.GetLocation().GetLineSpan().StartLinePosition.Line + 1;

@@ -2,25 +2,29 @@ using RigidBodyDynamics.Judging;
 
 namespace RigidBodyDynamics.StudentScripts.Comments;
 
-/// <summary>Which line of a script is which of the five steps.</summary>
-/// <param name="assignments">What is assigned where.</param>
-internal sealed class StepLines(IReadOnlyList<Assignment> assignments)
+/// <summary>Which line of a script is which of the five steps: by what it assigns, and by the names that people give to velocities.</summary>
+internal static class StepLines
 {
-    private static readonly string[] Velocities = ["v", "velocity", "vel", "linearvelocity", "speed", "velo"], AngularVelocities = ["w", "omega", "ω", "angularvelocity", "angvel", "av"];
+    private static readonly string[] Velocities = ["v", "velocity", "vel", "linearvelocity", "linvel", "speed", "velo", "sudu", "速度"];
+    private static readonly string[] AngularVelocities = ["w", "omega", "ω", "angularvelocity", "angvel", "angularvel", "av", "jiaosudu", "角速度"];
 
-    /// <summary>The line; null where none is seen.</summary>
-    public int? Of(Step step) => step switch
+    /// <summary>The lines of those steps that are seen.</summary>
+    public static IReadOnlyDictionary<Step, int> Of(IReadOnlyList<Assignment> assignments)
     {
-        Step.Velocity => Assigned(Velocities, damps: false),
-        Step.AngularVelocity => Assigned(AngularVelocities, damps: false),
-        Step.Position => Last(Assignment.Position),
-        Step.Orientation => Last(Assignment.Rotation),
-        Step.Damping => Assigned([.. Velocities, .. AngularVelocities], damps: true),
-        _ => null,
-    };
+        Dictionary<Step, int> lines = [];
+        Add(Step.Velocity, assignments.FirstOrDefault(one => !one.Damps && Velocities.Contains(Plain(one))));
+        Add(Step.AngularVelocity, assignments.FirstOrDefault(one => !one.Damps && AngularVelocities.Contains(Plain(one))));
+        Add(Step.Position, assignments.LastOrDefault(one => one.Name == Assignment.Position));
+        Add(Step.Orientation, assignments.FirstOrDefault(one => one.Name == Assignment.PureQuaternion) ?? assignments.LastOrDefault(one => one.Name == Assignment.Rotation));
+        Add(Step.Damping, assignments.FirstOrDefault(one => one.Damps && (Velocities.Contains(Plain(one)) || AngularVelocities.Contains(Plain(one)))));
+        return lines;
 
-    private int? Assigned(string[] names, bool damps) => assignments
-        .FirstOrDefault(assignment => assignment.Damps == damps && names.Contains(assignment.Name.Replace("_", string.Empty, StringComparison.Ordinal).ToLowerInvariant()))?.Line;
+        void Add(Step step, Assignment? found)
+        {
+            if (found != null)
+                lines[step] = found.Line;
+        }
+    }
 
-    private int? Last(string name) => assignments.LastOrDefault(assignment => assignment.Name == name)?.Line;
+    private static string Plain(Assignment assignment) => assignment.Name.Replace("_", string.Empty, StringComparison.Ordinal).ToLowerInvariant();
 }

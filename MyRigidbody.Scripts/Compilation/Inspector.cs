@@ -54,7 +54,9 @@ internal sealed class Inspector(SemanticModel model)
 
     private void Look(SyntaxNode node, ISymbol symbol)
     {
-        if (Helpers.Finding(symbol, node) is { } cheat)
+        if (symbol is IDynamicTypeSymbol)
+            Add(node, Words.Forbidden("dynamic", "dynamic"));
+        else if (Helpers.Finding(symbol, node) is { } cheat)
             Add(node, cheat);
         else if (!AllowList.Usual.Allows(symbol))
             Add(node, Words.Forbidden(Reaches.For(symbol), Reaches.Name(symbol)));

@@ -15,7 +15,7 @@ internal static class Reaches
         ("System.Net", "network"),
         ("System.Threading", "thread"),
         ("System.Reflection", "reflection"),
-        ("System.Type", "reflection"),
+        ("System.Type.", "reflection"),
         ("System.Activator", "reflection"),
         ("System.Object.GetType", "reflection"),
         ("System.Exception.", "reflection"),
@@ -26,6 +26,9 @@ internal static class Reaches
         ("UnityEngine.Application", "process"),
     ];
 
+    private static readonly SymbolDisplayFormat Full =
+        SymbolDisplayFormat.FullyQualifiedFormat.WithGlobalNamespaceStyle(SymbolDisplayGlobalNamespaceStyle.Omitted).WithMiscellaneousOptions(SymbolDisplayMiscellaneousOptions.None);
+
     public static string For(ISymbol symbol)
     {
         string name = Name(symbol);
@@ -34,6 +37,6 @@ internal static class Reaches
 
     /// <summary>Its full name, without parameters.</summary>
     public static string Name(ISymbol symbol) => symbol is INamespaceOrTypeSymbol || symbol.ContainingType == null
-        ? symbol.ToDisplayString()
-        : symbol.ContainingType.ToDisplayString() + (symbol.Name == ".ctor" ? string.Empty : "." + symbol.Name);
+        ? symbol.ToDisplayString(Full)
+        : symbol.ContainingType.ToDisplayString(Full) + (symbol.Name == ".ctor" ? string.Empty : "." + symbol.Name);
 }

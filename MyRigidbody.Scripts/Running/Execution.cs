@@ -46,6 +46,11 @@ internal static class Execution
         {
             return new RunOutcome(null, WasStopped(laboratory, compiled));
         }
+        catch (Exception broken)
+        {
+            // a script that destroys its object, say, takes from under the judge what it looks at
+            return new RunOutcome(null, Place(Words.Stopped("ended", broken.GetType().Name), null, laboratory));
+        }
     }
 
     private static Finding WasStopped(StandIn laboratory, CompiledScript compiled)
@@ -65,7 +70,7 @@ internal static class Execution
         int? line = Line(thrown);
         string[] lines = compiled.Sources.Script!.SyntaxTree.ToString().Split('\n');
         bool isRigidbody = thrown is NullReferenceException && line is { } at && at <= lines.Length && lines[at - 1].Contains("Rigidbody", StringComparison.Ordinal);
-        return Place(Words.Throws(isRigidbody ? "no-rigidbody" : "throws", laboratory.Message, thrown.GetType().Name + ": " + FirstLine(thrown.Message)), line, laboratory);
+        return Place(Words.Throws(isRigidbody ? "no-rigidbody" : "throws", laboratory.Message, thrown.GetType().Name + MessageOf(thrown)), line, laboratory);
     }
 
     private static Finding Place(Finding finding, int? line, StandIn laboratory)
@@ -97,5 +102,16 @@ internal static class Execution
         return span.StartLinePosition.Line < line && line <= span.EndLinePosition.Line + 1;
     }
 
-    private static string FirstLine(string message) => message.Split('\n')[0].TrimEnd('\r', '.');
+    // a message can be the script's own code
+    private static string MessageOf(Exception thrown)
+    {
+        try
+        {
+            return ": " + thrown.Message.Split('\n')[0].TrimEnd('\r', '.');
+        }
+        catch (Exception)
+        {
+            return string.Empty;
+        }
+    }
 }

@@ -1,0 +1,57 @@
+using System.Text.Encodings.Web;
+using System.Text.Json;
+using System.Text.Json.Serialization;
+using System.Text.Unicode;
+using RigidBodyDynamics.Judging;
+using RigidBodyDynamics.Lab.Grading.Students;
+using RigidBodyDynamics.StudentScripts;
+
+namespace RigidBodyDynamics.Lab.Checking;
+
+/// <summary>One submission of the format <c>rigid-body-grade/1</c>.</summary>
+internal static class CheckJson
+{
+    private static readonly JsonSerializerOptions Options = new()
+    {
+        WriteIndented = true,
+        NewLine = "\n",
+        PropertyNamingPolicy = JsonNamingPolicy.CamelCase,
+        Encoder = JavaScriptEncoder.Create(UnicodeRanges.All),
+        Converters = { new JsonStringEnumConverter(JsonNamingPolicy.CamelCase) },
+    };
+
+    public static string Of(string path, ScriptReport report)
+    {
+        // as handed in: the file's own name or that of its folder
+        string? name = new[] { Path.GetFileName(path), Path.GetFileName(Path.GetDirectoryName(Path.GetFullPath(path))) }.FirstOrDefault(part => part != null && StudentName.Read(part).Count > 0);
+        Student? student = name == null ? null : StudentName.Read(name)[0];
+        return JsonSerializer.Serialize(
+            new
+            {
+                file = path.Replace('\\', '/'),
+                student = student == null ? null : new { student.Id, student.Name },
+                nameAsAsked = name != null && StudentName.IsAsAsked(name),
+                verdict = report.Verdict.Outcome,
+                steps = Verdict.FiveSteps.ToDictionary(step => JsonNamingPolicy.CamelCase.ConvertName(step.ToString()), step => report.Verdict[step]),
+                given = report.Verdict.GivenChanged ? "changed" : "right",
+                findings = report.Verdict.Findings.Select(Finding),
+                comments = new { report.Comments.Statements, report.Comments.Commented },
+                alike = Array.Empty<object>(),
+            },
+            Options);
+    }
+
+    private static object Finding(Finding finding) => new
+    {
+        finding.Step,
+        finding.Code,
+        doubtful = finding.IsDoubtful,
+        finding.Line,
+        finding.Since,
+        finding.Experiment,
+        finding.Expected,
+        finding.Found,
+        en = finding.English,
+        zh = finding.Chinese,
+    };
+}

@@ -1,0 +1,88 @@
+using RigidBodyDynamics.Judging;
+using RigidBodyDynamics.Lab.Report;
+
+namespace RigidBodyDynamics.Lab.Checking;
+
+/// <summary>What check says of its own; what is said of a finding is the finding's.</summary>
+internal static class CheckWords
+{
+    public static readonly IReadOnlyDictionary<string, Word> All = new Dictionary<string, Word>
+    {
+        ["step"] = new("step", "步骤"),
+        ["formula"] = new("formula", "公式"),
+        ["lamp"] = new("result", "结果"),
+        ["line"] = new("line", "行"),
+        [nameof(Step.Velocity)] = new("1 velocity", "1 速度"),
+        [nameof(Step.AngularVelocity)] = new("2 angular velocity", "2 角速度"),
+        [nameof(Step.Position)] = new("3 position", "3 位置"),
+        [nameof(Step.Orientation)] = new("4 orientation", "4 朝向"),
+        [nameof(Step.Damping)] = new("5 damping", "5 衰减"),
+        [nameof(Step.Given)] = new("given code", "给定代码"),
+        [nameof(Step.Code)] = new("code", "代码"),
+        [nameof(Step.Package)] = new("package", "文件"),
+        [nameof(Step.Name)] = new("name", "名称"),
+        [nameof(Mark.Right)] = new("✔ right", "✔ 正确"),
+        [nameof(Mark.Wrong)] = new("✘ wrong", "✘ 有误"),
+        [nameof(Mark.Doubtful)] = new("? doubtful", "? 存疑"),
+        [nameof(Mark.Missing)] = new("○ missing", "○ 缺失"),
+        [nameof(Mark.Unknown)] = new("· not seen", "· 未检查"),
+        ["outcome.Right"] = new("All five steps are right.", "五个步骤全部正确。"),
+        ["outcome.Wrong"] = new("Not right yet.", "还有错误。"),
+        ["outcome.Doubtful"] = new("Doubtful: the instructor decides.", "存疑：由教师判断。"),
+        ["outcome.Refused"] = new("The script was not run to its end, so its steps were not judged.", "脚本没有运行到底，因此没有检查步骤。"),
+        ["at"] = new("line {0}", "第 {0} 行"),
+        ["since"] = new("since frame {0} of \"{1}\"", "自实验“{1}”的第 {0} 帧起"),
+        ["since.frame"] = new("in frame {0}", "第 {0} 帧"),
+        ["measured"] = new("expected {0}; found {1}", "应为 {0}；实际 {1}"),
+        ["doubt"] = new("an instructor decides", "由教师判断"),
+        ["comments"] = new("Comments: {0} of {1} statements that were added have one.", "注释：新增的 {1} 条语句中，{0} 条有注释。"),
+        ["comments.bare"] = new("Comments: {0} of {1} statements that were added have one; not so in line {2}.", "注释：新增的 {1} 条语句中，{0} 条有注释；没有注释的行：{2}。"),
+        ["comments.none"] = new("Comments: nothing was added to the starter.", "注释：没有新增语句。"),
+        ["file.right"] = new("File: {0}.", "文件名：{0}。"),
+        ["file.other"] = new("File: {0}; Unity wants it to be called {1}, as the class in it is.", "文件名：{0}；Unity 要求与类名一致，应为 {1}。"),
+        ["written"] = new("Written to {0}: {1}, to open in the browser", "已写入 {0}：{1}，可用浏览器打开"),
+        ["script"] = new("script", "脚本"),
+        ["reference"] = new("reference", "参考"),
+        ["unity"] = new("Unity", "Unity"),
+    };
+
+    private static readonly IReadOnlyDictionary<Step, string> Formulas = new Dictionary<Step, string>
+    {
+        [Step.Velocity] = "v ← v + Δt F/m",
+        [Step.AngularVelocity] = "ω ← ω + Δt (R I_ref Rᵀ)⁻¹ τ",
+        [Step.Position] = "x ← x + Δt v",
+        [Step.Orientation] = "q ← q + [0, ½Δt ω] q",
+        [Step.Damping] = "v ← 0.98 v, ω ← 0.98 ω",
+    };
+
+    /// <summary>The sheet's formula of a step.</summary>
+    public static string Formula(Step step) => Formulas[step];
+
+    /// <summary>Where a finding is seen: line, frame, experiment.</summary>
+    public static Word Place(Finding finding)
+    {
+        List<Word> parts = [];
+        if (finding.Line is { } line)
+            parts.Add(All["at"].With(line));
+        if (finding.Since is { } frame)
+            parts.Add(string.IsNullOrEmpty(finding.Experiment) ? All["since.frame"].With(frame) : All["since"].With(frame, finding.Experiment));
+        if (finding.IsDoubtful)
+            parts.Add(All["doubt"]);
+
+        return new Word(string.Join(", ", parts.Select(part => part.En)), string.Join("，", parts.Select(part => part.Zh)));
+    }
+
+    /// <summary>What is said of a step has a value that was expected and one that was found; of code the sentence says all.</summary>
+    public static bool IsMeasured(Finding finding) => finding.Step <= Step.Damping;
+
+    /// <summary>How many of the added statements have a comment.</summary>
+    public static Word Comments(StudentScripts.CommentCoverage comments) =>
+        comments.Statements == 0 ? All["comments.none"]
+        : comments.Bare.Count == 0 ? All["comments"].With(comments.Commented, comments.Statements)
+        : All["comments.bare"].With(comments.Commented, comments.Statements, string.Join(", ", comments.Bare.Distinct()));
+
+    /// <summary>What the file is called, and should be.</summary>
+    public static Word FileName(string path) => Path.GetFileName(path) is var name && name == "MyRigidbody.cs"
+        ? All["file.right"].With(name)
+        : All["file.other"].With(name, "MyRigidbody.cs");
+}

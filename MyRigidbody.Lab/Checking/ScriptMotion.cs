@@ -1,0 +1,81 @@
+using RigidBodyDynamics.Judging;
+using RigidBodyDynamics.Lab.Report;
+using Keys = RigidBodyDynamics.Judging.Keys;
+
+namespace RigidBodyDynamics.Lab.Checking;
+
+/// <summary>
+/// The script beside the reference and Unity's body, on the cube and on the box that shows what the cube hides; all three of a kind
+/// with the keys that the script was played with.
+/// </summary>
+internal static class ScriptMotion
+{
+    // of the cube's minute as much as there is of the box
+    private const int MostFrames = 600;
+
+    private const double KeyForce = 5;
+
+    private static readonly (Keys Key, Vector3d Force)[] Arrows =
+        [(Keys.LeftArrow, new(-KeyForce, 0, 0)), (Keys.RightArrow, new(KeyForce, 0, 0)), (Keys.UpArrow, new(0, KeyForce, 0)), (Keys.DownArrow, new(0, -KeyForce, 0))];
+
+    public static Motion Of(Judging.Recording recording)
+    {
+        Run cube = recording.Runs[0], box = recording.Runs[1];
+        int frames = Math.Min(MostFrames, Math.Min(cube.Frames.Count, box.Frames.Count));
+        return Motion.Of(TimeSteps.Every(FrameInput.FixedDelta, frames), [.. Tracks(cube, frames, "cube"), .. Tracks(box, frames, "box")], [(0, 1), (0, 2), (3, 4), (3, 5)]);
+    }
+
+    private static IEnumerable<Track> Tracks(Run run, int frames, string of)
+    {
+        double mass = run.Frames[0].Before.Mass is > 0 and < double.PositiveInfinity and var known ? known : 1;
+        Vector3d[] vertices = [.. run.Setting.Vertices.Select(v => new Vector3d(v.X * run.Setting.Scale.X, v.Y * run.Setting.Scale.Y, v.Z * run.Setting.Scale.Z))];
+        Vector3d edges = 2 * new Vector3d(vertices.Max(v => v.X), vertices.Max(v => v.Y), vertices.Max(v => v.Z));
+        MassProperties points = PointMasses.Equal(mass, vertices), solid = Solids.Box(mass, edges);
+        Orientation turn = run.Setting.Pose.Orientation;
+        // all start in one place, so that they stand side by side
+        Quaterniond start = new Quaterniond(turn.W, turn.X, turn.Y, turn.Z).Normalized;
+
+        BodyDescription reference = new BodyDescription(CheckWords.All["reference"].En + " · " + of, points) { Integrator = "LabEuler" }.With(new DecayPerStep(0.98, 0.98));
+        BodyDescription unity = new(CheckWords.All["unity"].En + " · " + of, solid) { Integrator = "UnityRigidbody" };
+        PerStep pushes = new([.. run.Frames.Take(frames).Select(Force)], [.. run.Frames.Take(frames).Select(Torque)]);
+        BodyDescription[] others = [reference.With(pushes), unity.With(pushes)];
+        foreach (BodyDescription other in others)
+            other.Start = new BodyState(Vector3d.Zero, start, Vector3d.Zero, Vector3d.Zero);
+
+        Track script = new(CheckWords.All["script"].En + " · " + of, points, solid);
+        Vector from = run.Frames[0].Before.Position;
+        script.States.Add(State(run.Frames[0].Before, from));
+        script.States.AddRange(run.Frames.Take(frames).Select(frame => State(frame.After, from)));
+        return [script, .. others.Select(other => Played(other, solid, frames))];
+    }
+
+    private static Track Played(BodyDescription body, MassProperties shape, int frames)
+    {
+        Simulation simulation = new(new Scene(body.Name, string.Empty, TimeSteps.Every(FrameInput.FixedDelta, frames), [body]));
+        Track track = new(body.Name, body.Mass, shape);
+        track.States.Add(simulation.Bodies[0].State);
+        for (int frame = 0; frame < frames; frame++)
+        {
+            simulation.Step();
+            track.States.Add(simulation.Bodies[0].State);
+        }
+
+        return track;
+    }
+
+    private static Vector3d Force(Frame frame) =>
+        Arrows.Where(arrow => frame.Input.Held.HasFlag(arrow.Key)).Aggregate(Vector3d.Zero, (sum, arrow) => sum + arrow.Force);
+
+    // formula of the sheet: (sin t, sin t, sin t) at the frame's own time
+    private static Vector3d Torque(Frame frame) =>
+        frame.Input.Held.HasFlag(Keys.R) ? Math.Sin(frame.Input.Time) * new Vector3d(1, 1, 1) : Vector3d.Zero;
+
+    private static BodyState State(Snapshot seen, Vector from) => new(
+        Finite(new Vector3d(seen.Position.X - from.X, seen.Position.Y - from.Y, seen.Position.Z - from.Z)),
+        new Quaterniond(seen.Orientation.W, seen.Orientation.X, seen.Orientation.Y, seen.Orientation.Z).Normalized,
+        Finite(seen.Velocity is { } v ? new Vector3d(v.X, v.Y, v.Z) : Vector3d.Zero),
+        Finite(seen.AngularVelocity is { } w ? new Vector3d(w.X, w.Y, w.Z) : Vector3d.Zero));
+
+    // what a wrong script has made of its numbers need not be one
+    private static Vector3d Finite(Vector3d v) => double.IsFinite(v.X + v.Y + v.Z) ? v : Vector3d.Zero;
+}
