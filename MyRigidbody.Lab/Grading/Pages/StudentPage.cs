@@ -71,7 +71,7 @@ internal sealed class StudentPage
         : GradeWords.All["student.comments"].With(_graded.Judgement.Commented, _graded.Judgement.Statements);
 
     /// <summary>The lines that have none.</summary>
-    public string Uncommented => string.Join(", ", _graded.Judgement.Uncommented.Take(MostLines)) + (_graded.Judgement.Uncommented.Count > MostLines ? ", …" : string.Empty);
+    public string Uncommented => string.Join(", ", _graded.Judgement.Uncommented.Distinct().Take(MostLines)) + (_graded.Judgement.Uncommented.Distinct().Count() > MostLines ? ", …" : string.Empty);
 
     /// <summary>A word of the instructor.</summary>
     public string Note => Visible.Line(_graded.Decision?.Note ?? string.Empty, 300);
