@@ -66,7 +66,7 @@ internal sealed record OtherEngines(IReadOnlyList<OtherEngines.Row> Rows, string
     /// <summary>As people read it.</summary>
     public TextTable Table()
     {
-        TextTable table = new("A thousand free bodies, beside other engines", "ns a step", "off after 100 s, rad");
+        TextTable table = new("A thousand free bodies, beside other engines", "ns a step", "off within 100 s, rad");
         foreach (Row row in Rows)
             table.AddRow(row.Engine, CostTables.Number(row.Nanoseconds), CostTables.Error(row.AngleError));
 
@@ -98,6 +98,6 @@ internal sealed record OtherEngines(IReadOnlyList<OtherEngines.Row> Rows, string
     /// <summary>An engine.</summary>
     /// <param name="Engine">Its name and version, or our rule.</param>
     /// <param name="Nanoseconds">For a step of one body in a world of <see cref="Bodies"/>.</param>
-    /// <param name="AngleError">How far one body is off after 100 s in steps of 1/50 s, rad.</param>
+    /// <param name="AngleError">How far one body is off, rad, in steps of 1/50 s: by our rules at most within 100 s, by an engine after them.</param>
     internal sealed record Row(string Engine, double Nanoseconds, double AngleError);
 }
