@@ -8,8 +8,8 @@ public static class Advisor
     /// <summary>Costs that differ by no more than this factor are the same to the clock; the row that stands first is then taken.</summary>
     public const double SameCost = 1.03;
 
-    // both are measured once, and may be luckily small
-    private const double Doubt = 2;
+    // both are measured once and may be luckily small, and masses and forces have last bits too
+    private const double Doubt = 4;
 
     // a step of a rule that is so much dearer than the second best, or than the best, is not looked for
     private const double FarDearer = 3, FarDearerThanBest = 20, ManyBits = 1e-9;
