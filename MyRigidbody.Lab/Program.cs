@@ -57,6 +57,10 @@ internal static class Program
         {
             return Refuse("out of memory: there are " + (Memory.Available / 1e6).ToString("0", CultureInfo.InvariantCulture) + " MB, and this takes more");
         }
+        catch (StateOverflowException lost)
+        {
+            return FallShort(lost.Message);
+        }
         catch (ReaderLeftException)
         {
             return 0;
@@ -68,9 +72,14 @@ internal static class Program
         }
         catch (FellShortException shortfall)
         {
-            Terminal.Error(shortfall.Message);
-            return 1;
+            return FallShort(shortfall.Message);
         }
+    }
+
+    private static int FallShort(string line)
+    {
+        Terminal.Error(line);
+        return 1;
     }
 
     private static int Refuse(string line)

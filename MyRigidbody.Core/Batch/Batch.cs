@@ -18,17 +18,22 @@ namespace RigidBodyDynamics
         private const int BodiesOfPart = 1024;
         private const int MostThreads = 1024;
 
+        // to look whether all bodies still have states takes twice as long as the shortest step
+        internal const long StepsBetweenLooks = 64;
+
         private readonly BodyPlan _plan;
         private readonly BodyDescription _like;
         private readonly Crowd _crowd;
         private readonly Coasters _coasters;
         private readonly Places _places = new Places();
         private readonly Team<Stepper> _team;
+        private readonly Losses _losses;
         private readonly bool[] _coasts;
         private int _stretch, _capacity = 16;
         private Task _task;
         private long _stop;
         private Memory<BodyState> _states;
+        private Turnstile _turnstile;
 
         /// <summary>No bodies yet, of one kind.</summary>
         /// <param name="body">What every body is, but for its start. Nothing that is changed in it later changes the batch.</param>
@@ -42,6 +47,7 @@ namespace RigidBodyDynamics
             _like = _plan.Body;
             _crowd = Crowds.Choose(_plan);
             _coasters = new Coasters(_crowd, steps);
+            _losses = new Losses(_plan, _crowd);
             _coasts = new bool[_plan.Stretches.Count];
             Reserve(_capacity);
             _like.Start = BodyState.AtRest;
@@ -92,7 +98,8 @@ namespace RigidBodyDynamics
             {
                 int place = _places.Of(id);
                 Follow(place);
-                return _crowd.StateOf(place);
+                BodyState state = _crowd.StateOf(place);
+                return state.HasFiniteSquares ? state : throw new StateOverflowException(_plan, Math.Max(0, StepsDone - 1), id);
             }
         }
 
@@ -147,25 +154,49 @@ namespace RigidBodyDynamics
 
         /// <summary>Writes the state of every body to where its number says; what no body has for its number stays as it is.</summary>
         /// <param name="states">At least <see cref="EndOfIds"/> of them.</param>
+        /// <exception cref="StateOverflowException">A body that coasted has run away since somebody looked.</exception>
         public void Read(Memory<BodyState> states)
         {
             if (states.Length < EndOfIds)
                 throw Guard.Refused(nameof(states), states.Length, "must have room for " + EndOfIds + " states");
 
             _states = states;
+            _losses.Forget();
             Do(Task.Read, StepsDone);
             _states = default(Memory<BodyState>);
+            if (_losses.Any)
+                throw _losses.Found(_places);
         }
 
         /// <summary>A number of steps of all bodies; the same bits as that many single ones.</summary>
         /// <remarks>An exception out of an effect comes out here; the bodies are then not all at the same step.</remarks>
+        /// <exception cref="StateOverflowException">
+        /// A body has run away: it is named. That is looked for after every 64th step, after a call of at least so many, and
+        /// when a state is read. The others have done all the steps, and go on once it is removed.
+        /// </exception>
+        /// <exception cref="BrokenEffectException">An effect that reads nothing but the time gave a force that is not finite.</exception>
+        /// <exception cref="InvalidOperationException">An effect stepped the batch, or another thread did.</exception>
         public void Step(long count = 1)
         {
             long left = _plan.Steps.Count - StepsDone;
             if (count < 0 || count > left)
                 throw Guard.Refused(nameof(count), count, "must be from 0 to the " + left + " steps that are left");
 
-            for (long end = StepsDone + count; StepsDone < end;)
+            _turnstile.Enter("batch of", _like.Name);
+            try
+            {
+                Advance(StepsDone + count);
+            }
+            finally
+            {
+                _turnstile.Leave();
+            }
+        }
+
+        private void Advance(long end)
+        {
+            _losses.Forget();
+            while (StepsDone < end)
             {
                 long endOfStretch = _plan.Stretches[_stretch].End, stop = Math.Min(end, endOfStretch);
                 if (!_coasts[_stretch])
@@ -180,6 +211,9 @@ namespace RigidBodyDynamics
                     Begin();
                 }
             }
+
+            if (_losses.Any)
+                throw _losses.Found(_places);
         }
 
         private void Begin()
@@ -222,11 +256,14 @@ namespace RigidBodyDynamics
             int from = part * BodiesOfPart, to = Math.Min(Count, from + BodiesOfPart);
             int whole = (to + _crowd.Width - 1) / _crowd.Width * _crowd.Width;
             if (_task == Task.Step)
-                stepper.Run(_stretch, from, whole, StepsDone, _stop);
+                Step(stepper, from, to, whole);
             else if (_task == Task.Enter)
                 _coasters.Enter(from, to, _stop);
             else if (_coasts[_stretch])
                 _coasters.Follow(stepper, from, whole, _stop);
+
+            if (_task == Task.Follow || _task == Task.Read)
+                _losses.Look(from, to, Math.Max(0, _stop - 1));
 
             if (_task != Task.Read)
                 return;
@@ -234,6 +271,17 @@ namespace RigidBodyDynamics
             Span<BodyState> states = _states.Span;
             for (int i = from; i < to; i++)
                 states[_places.IdAt(i)] = _crowd.StateOf(i);
+        }
+
+        private void Step(Stepper stepper, int from, int to, int whole)
+        {
+            for (long first = StepsDone, next; first < _stop; first = next)
+            {
+                next = first + Math.Min(_stop - first, StepsBetweenLooks - first % StepsBetweenLooks);
+                stepper.Run(_stretch, from, whole, first, next);
+                if (next % StepsBetweenLooks == 0 || next - StepsDone >= StepsBetweenLooks)
+                    _losses.Look(from, to, next - 1);
+            }
         }
 
         private enum Task

@@ -141,7 +141,10 @@ namespace RigidBodyDynamics
             for (int i = group * _width; i < (group + 1) * _width; i++)
             {
                 if (_anchored[i] != Never && _anchored[i] != Nobody)
-                    _next[group] = Math.Min(_next[group], LastForm(_anchored[i], _anchored[i], step) + Coasting.StepsBetweenClosedForms);
+                {
+                    long form = LastForm(_anchored[i], _anchored[i], step);
+                    _next[group] = Math.Min(_next[group], form > Never - Coasting.StepsBetweenClosedForms ? Never : form + Coasting.StepsBetweenClosedForms);
+                }
             }
         }
     }

@@ -34,6 +34,27 @@ namespace RigidBodyDynamics
         /// <summary>The numbers of one body, to be carried into its struct or out of it.</summary>
         public Row Row(int row, bool isOut) => new Row(_numbers.AsSpan(row), _stride, isOut);
 
+        /// <summary>The squares of one number of some bodies, summed in any order.</summary>
+        [MethodImpl(Kernel.Compiled)]
+        public double SumOfSquares(int column, int from, int to)
+        {
+            ReadOnlySpan<double> numbers = _numbers.AsSpan((column * _stride) + from, to - from);
+            ReadOnlySpan<Lanes> lanes = MemoryMarshal.Cast<double, Lanes>(numbers);
+            Lanes a = Lanes.Zero, b = Lanes.Zero;
+            int i = 0;
+            for (; i + 1 < lanes.Length; i += 2)
+            {
+                a += lanes[i] * lanes[i];
+                b += lanes[i + 1] * lanes[i + 1];
+            }
+
+            double sum = 0;
+            for (i *= Lanes.Count; i < numbers.Length; i++)
+                sum += numbers[i] * numbers[i];
+
+            return sum + Vector.Sum(a + b);
+        }
+
         /// <summary>Makes room for a power of two of rows, at least <see cref="Vector{T}.Count"/>.</summary>
         public void Reserve(int rows)
         {

@@ -18,6 +18,9 @@ namespace RigidBodyDynamics
 
         public abstract BodyState StateOf(int place);
 
+        /// <summary>The first place from one to another whose body has run away; −1 if none has.</summary>
+        public abstract int FirstLost(int from, int to);
+
         /// <summary>True while its rule has put a body to sleep; no rule that goes in lanes does.</summary>
         public virtual bool IsAsleep(int place) => false;
 

@@ -4,7 +4,7 @@ namespace RigidBodyDynamics
     /// <summary>Chooses how bodies are stored: in lanes where their rule has such a form and no push reads their states.</summary>
     internal static class Crowds
     {
-        private const PushTraits ReadsState =
+        internal const PushTraits ReadsState =
             PushTraits.ReadsPosition | PushTraits.ReadsOrientation | PushTraits.ReadsVelocity | PushTraits.ReadsAngularVelocity;
 
         public static Crowd Choose(BodyPlan plan)

@@ -1,4 +1,6 @@
 #if NET
+using System;
+using System.Collections.Generic;
 using Lanes = System.Numerics.Vector<double>;
 
 namespace RigidBodyDynamics
@@ -19,6 +21,8 @@ namespace RigidBodyDynamics
         private readonly Columns _now, _kept;
         // knows what all bodies share
         private readonly TBody _one;
+        // those that are seen of a body, whatever its rule keeps beside them
+        private readonly int[] _seen;
 
         protected LaneCrowd(BodyDescription body, TLanes lanes)
         {
@@ -28,6 +32,7 @@ namespace RigidBodyDynamics
             _one.Start(body);
             _now = lanes.Bodies;
             _kept = new Columns(_now.Count);
+            _seen = Seen();
         }
 
         public override int Width => Lanes.Count;
@@ -54,6 +59,24 @@ namespace RigidBodyDynamics
         }
 
         public override BodyState StateOf(int place) => One(place, isAll: false).State;
+
+        /// <summary>
+        /// A sum of squares is finite only if all that is summed is: so all bodies are looked at together, column by column, and one
+        /// by one only where that is not.
+        /// </summary>
+        public override int FirstLost(int from, int to)
+        {
+            if (AreFinite(from, to))
+                return -1;
+
+            for (int i = from; i < to; i++)
+            {
+                if (!One(i, isAll: false).IsFinite)
+                    return i;
+            }
+
+            return -1;
+        }
 
         // what a body is prepared for is said in its own columns
         public override void Forget() { }
@@ -86,6 +109,35 @@ namespace RigidBodyDynamics
 
         /// <summary>Carries what changes in a body to its row or from there: all of it, or what one sees of it.</summary>
         protected abstract void Carry(ref TBody body, Row row, bool isAll);
+
+        private bool AreFinite(int from, int to)
+        {
+            double sum = 0;
+            foreach (int column in _seen)
+                sum += _now.SumOfSquares(column, from, to);
+
+            return Guard.IsFinite(sum);
+        }
+
+        /// <summary>Which columns a body fills when it is carried to be seen.</summary>
+        private int[] Seen()
+        {
+            Columns probe = new Columns(_now.Count);
+            probe.Reserve(Width);
+            for (int i = 0; i < probe.Count; i++)
+                probe.At(0)[i] = new Lanes(double.NaN);
+
+            TBody one = _one;
+            Carry(ref one, probe.Row(0, isOut: true), isAll: false);
+            List<int> seen = new List<int>();
+            for (int i = 0; i < probe.Count; i++)
+            {
+                if (!double.IsNaN(probe.At(0)[i][0]))
+                    seen.Add(i);
+            }
+
+            return seen.ToArray();
+        }
 
         private TBody One(int place, bool isAll)
         {

@@ -36,6 +36,17 @@ namespace RigidBodyDynamics
 
         public override BodyState StateOf(int place) => _now[place].State;
 
+        public override int FirstLost(int from, int to)
+        {
+            for (int i = from; i < to; i++)
+            {
+                if (!_now[i].IsFinite)
+                    return i;
+            }
+
+            return -1;
+        }
+
         public override bool IsAsleep(int place) => _now[place].IsAsleep;
 
         public override void Forget() => Array.Clear(_preparedFor, 0, _preparedFor.Length);

@@ -36,6 +36,13 @@ namespace RigidBodyDynamics
         public bool IsFinite =>
             Position.IsFinite && Orientation.IsFinite && Velocity.IsFinite && AngularVelocity.IsFinite;
 
+        /// <summary>
+        /// False where a number is not finite or a velocity is so large that its square, which every energy has, is not: such a body
+        /// has run away.
+        /// </summary>
+        internal bool HasFiniteSquares =>
+            Position.IsFinite && Orientation.IsFinite && Guard.IsFinite(Velocity.LengthSquared + AngularVelocity.LengthSquared);
+
         /// <summary>In words, to the last digit.</summary>
         public override string ToString() =>
             "position " + Position + ", orientation " + Orientation + ", velocity " + Velocity + ", angular velocity " + AngularVelocity;

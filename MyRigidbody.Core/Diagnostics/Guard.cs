@@ -61,13 +61,16 @@ namespace RigidBodyDynamics
             return new RefusedException(name, value, rule + ", found " + found);
         }
 
+        /// <summary>A message in one line, whatever names and effects in it say.</summary>
+        internal static string OneLine(string message) => message.Replace('\r', ' ').Replace('\n', ' ');
+
         /// <summary>One line, whatever the runtime would add to it.</summary>
         private sealed class RefusedException : ArgumentOutOfRangeException
         {
             private readonly string _line;
 
             public RefusedException(string name, object value, string rule) : base(name, value, rule) =>
-                _line = (name + ": " + rule).Replace('\r', ' ').Replace('\n', ' ');
+                _line = OneLine(name + ": " + rule);
 
             public override string Message => _line;
         }

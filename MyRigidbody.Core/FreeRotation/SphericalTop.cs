@@ -12,7 +12,7 @@ namespace RigidBodyDynamics
 
         public Vector3d AngularVelocity => _w;
 
-        public bool IsFinite => _q.IsFinite && _w.IsFinite;
+        public bool IsFinite => _q.IsFinite && Guard.IsFinite(_w.LengthSquared);
 
         public bool HasClosedForm => true;
 

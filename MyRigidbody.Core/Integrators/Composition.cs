@@ -32,7 +32,7 @@ namespace RigidBodyDynamics
 
         public bool IsAsleep => false;
 
-        public bool IsFinite => _x.IsFinite && _v.IsFinite && _top.IsFinite;
+        public bool IsFinite => _x.IsFinite && Guard.IsFinite(_v.LengthSquared) && _top.IsFinite;
 
         public bool HasClosedForm => _top.HasClosedForm && (!_decaysPerStep || (!_canMove && typeof(TTop) == typeof(HeldTop)));
 

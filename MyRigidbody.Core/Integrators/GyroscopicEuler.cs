@@ -62,7 +62,7 @@ namespace RigidBodyDynamics
 
         public bool IsAsleep => false;
 
-        public bool IsFinite => _body.IsFinite;
+        public bool IsFinite => _body.HasFiniteSquares;
 
         public bool HasClosedForm => !_canMove && !_canTurn;
 

@@ -16,7 +16,9 @@ namespace RigidBodyDynamics
         /// <summary>True while the rule has put the body to sleep.</summary>
         bool IsAsleep { get; }
 
-        /// <summary>False once a number in it has become infinite or NaN. Quick: it is asked after every call.</summary>
+        /// <summary>
+        /// False once a number in it, or the square of a velocity, has become infinite or NaN. Quick: it is asked after every call.
+        /// </summary>
         bool IsFinite { get; }
 
         /// <summary>

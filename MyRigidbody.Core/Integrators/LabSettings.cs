@@ -8,5 +8,8 @@ namespace RigidBodyDynamics
 
         /// <summary>Where q is not kept at length 1: make R from a copy that is.</summary>
         public bool UnitRotation { get; set; }
+
+        /// <summary>The same settings, to be changed by themselves.</summary>
+        public LabSettings Copy() => new LabSettings { Normalise = Normalise, UnitRotation = UnitRotation };
     }
 }

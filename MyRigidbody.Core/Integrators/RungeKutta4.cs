@@ -28,7 +28,7 @@ namespace RigidBodyDynamics
 
         public bool IsAsleep => false;
 
-        public bool IsFinite => _x.IsFinite && _v.IsFinite && _q.IsFinite && _l.IsFinite;
+        public bool IsFinite => _x.IsFinite && _q.IsFinite && Guard.IsFinite(_v.LengthSquared + _l.LengthSquared);
 
         public bool HasClosedForm => !_canMove && !_canTurn;
 

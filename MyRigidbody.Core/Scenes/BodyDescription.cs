@@ -102,8 +102,8 @@ namespace RigidBodyDynamics
                 Start = Start,
                 CanMove = CanMove,
                 CanTurn = CanTurn,
-                Lab = Lab,
-                Unity = Unity.Copy(),
+                Lab = Lab?.Copy(),
+                Unity = Unity?.Copy(),
             };
             copy._inBody = _inBody;
             copy._effects.AddRange(_effects);
@@ -126,6 +126,15 @@ namespace RigidBodyDynamics
             Guard.Turn(Start.Orientation, "orientation");
             Guard.Finite(Start.Velocity, "velocity");
             Guard.Finite(Start.AngularVelocity, "angularVelocity");
+            BodyState unturned = new BodyState(Vector3d.Zero, Start.Orientation.Normalized, Start.Velocity, Vector3d.Zero);
+            if (!Guard.IsFinite(Conserved.KineticEnergy(unturned, Mass)))
+                throw Guard.Refused("velocity", Start.Velocity, "must leave a finite kinetic energy");
+
+            unturned.Velocity = Vector3d.Zero;
+            unturned.AngularVelocity = Start.AngularVelocity;
+            if (!Guard.IsFinite(Conserved.KineticEnergy(unturned, Mass)))
+                throw Guard.Refused("angularVelocity", Start.AngularVelocity, "must leave a finite kinetic energy");
+
             Guard.NotNull(Lab, nameof(Lab));
             Guard.NotNull(Unity, nameof(Unity));
             if (_effects.Count > MostEffects)

@@ -8,6 +8,9 @@ namespace RigidBodyDynamics
     /// </summary>
     internal sealed class MovingBody<TIntegrator> : Body where TIntegrator : struct, IIntegrator
     {
+        // a copy costs as much as the shortest step; from one of a body that nothing pushes the way on is known
+        private const long StepsBetweenCopies = 1024;
+
         private readonly Stretch<TIntegrator>[] _stretches;
         private readonly TimeSteps _steps;
         private readonly Clock _clock;
@@ -20,6 +23,7 @@ namespace RigidBodyDynamics
             _stretches = StretchBuilder<TIntegrator>.Bind(plan, isWatched: false);
             _now.Motion.Start(plan.Body);
             Settle();
+            _before = _now;
         }
 
         public override BodyState State
@@ -27,7 +31,8 @@ namespace RigidBodyDynamics
             get
             {
                 CatchUp();
-                return _now.Motion.State;
+                BodyState state = _now.Motion.State;
+                return state.HasFiniteSquares ? state : throw new StateOverflowException(Plan, Math.Max(0, _now.Step - 1));
             }
         }
 
@@ -39,14 +44,13 @@ namespace RigidBodyDynamics
 
         internal override long Advance(long end, ref Exception failure)
         {
-            // a body on which nothing pushes is not held up by an effect, and need not know the way back
-            if (Plan.IsPushed)
+            if (Plan.IsPushed || _now.Step - _before.Step >= StepsBetweenCopies)
                 _before = _now;
 
             try
             {
                 Run(_stretches, end);
-                if (!Plan.IsPushed || _now.Motion.IsFinite || !_before.Motion.IsFinite)
+                if (_now.Motion.IsFinite)
                     return end;
             }
             catch (Exception)
@@ -54,11 +58,18 @@ namespace RigidBodyDynamics
                 // found again below, step by step
             }
 
-            GoBack();
+            Return();
             return Retrace(end, ref failure);
         }
 
         internal override void GoBack()
+        {
+            Return();
+            if (!Plan.IsPushed)
+                Run(_stretches, _clock.Step);
+        }
+
+        private void Return()
         {
             _now = _before;
             foreach (Stretch<TIntegrator> stretch in _stretches)
@@ -75,7 +86,7 @@ namespace RigidBodyDynamics
         {
             Saved from = (Saved)saved;
             _before = from.Now;
-            GoBack();
+            Return();
             _stretches[_now.Stretch].Anchor = from.Anchor;
         }
 
@@ -126,6 +137,34 @@ namespace RigidBodyDynamics
 
             _stretches[_now.Stretch].Coast(ref _now.Motion, _steps, _now.Anchored, _now.Step, step);
             _now.Step = step;
+            if (_now.Motion.IsFinite)
+                return;
+
+            // back to where it began to coast, so that it is said again to whoever looks next
+            _now.Motion = _stretches[_now.Stretch].Anchor;
+            _now.Step = _now.Anchored;
+            throw new StateOverflowException(Plan, LastFinite(_now, step));
+        }
+
+        /// <summary>The last of the steps up to one that has no finite state at which a body that coasts still has one.</summary>
+        private long LastFinite(in Moment coasting, long end)
+        {
+            Stretch<TIntegrator> stretch = _stretches[coasting.Stretch];
+            long low = coasting.Anchored, high = end;
+            while (high - low > 1)
+            {
+                long middle = low + (high - low) / 2;
+                TIntegrator motion = stretch.Anchor;
+                stretch.Forget();
+                stretch.Coast(ref motion, _steps, coasting.Anchored, coasting.Anchored, middle);
+                if (motion.IsFinite)
+                    low = middle;
+                else
+                    high = middle;
+            }
+
+            stretch.Forget();
+            return low;
         }
 
         /// <summary>The same steps once more, one by one and with every push watched: which is it, and when.</summary>
@@ -134,19 +173,26 @@ namespace RigidBodyDynamics
             Stretch<TIntegrator>[] watched = StretchBuilder<TIntegrator>.Bind(Plan, isWatched: true);
             while (_now.Step < end && !(_now.IsDormant && WakesAt > end))
             {
+                Moment last = _now;
+                long reached = _now.Step;
                 try
                 {
                     // a dormant body goes as far as it coasts, no push acts there; who looked may have brought it to the end of that
-                    long next = _now.Step + 1;
-                    Run(watched, _now.IsDormant ? Math.Max(WakesAt, next) : next);
+                    Run(watched, _now.IsDormant ? Math.Max(WakesAt, reached + 1) : reached + 1);
+                    if (_now.Motion.IsFinite)
+                        continue;
+
+                    reached = last.IsDormant && last.Step < _now.Step - 1 ? LastFinite(last, _now.Step) : _now.Step - 1;
+                    failure = new StateOverflowException(Plan, reached);
                 }
                 catch (Exception found)
                 {
                     failure = found;
-                    long reached = _now.Step;
-                    GoBack();
-                    return reached;
                 }
+
+                GoBack();
+                // what coasts is not looked at in every step, so it may have been lost before this call
+                return Math.Max(reached, _clock.Step);
             }
 
             return end;

@@ -10,9 +10,9 @@ namespace RigidBodyDynamics
         private readonly Body[] _bodies;
         private readonly Clock _clock = new Clock();
 
-        // those that are stepped: bodies with pushes, which may have to go back, and the others
-        private readonly List<Body> _pushed, _unpushed;
+        private readonly List<Body> _stepped;
         private readonly WakeQueue _dormant;
+        private Turnstile _turnstile;
 
         /// <summary>Reads the scene once: every body gets the sum of what acts on it and the step made for that sum.</summary>
         /// <param name="scene">The scene; nothing that is changed in it later changes the simulation.</param>
@@ -22,8 +22,7 @@ namespace RigidBodyDynamics
             Scene = Guard.NotNull(scene, nameof(scene));
             int count = scene.Bodies.Count;
             _bodies = new Body[count];
-            _pushed = new List<Body>(count);
-            _unpushed = new List<Body>(count);
+            _stepped = new List<Body>(count);
             _dormant = new WakeQueue(count);
             for (int i = 0; i < count; i++)
             {
@@ -56,41 +55,65 @@ namespace RigidBodyDynamics
         /// <exception cref="BrokenEffectException">
         /// An effect gave a force that is not finite, or threw an exception. All bodies then stand before the step in which it did.
         /// </exception>
+        /// <exception cref="StateOverflowException">
+        /// The step of a body did not lead to a finite state. All bodies then stand before it. A body that coasts is not looked
+        /// at: it says so when its state is asked for, or when an effect begins to act on it.
+        /// </exception>
+        /// <exception cref="InvalidOperationException">An effect stepped the simulation that it acts in, or another thread did.</exception>
         public void Step(long count)
         {
             long left = Scene.Steps.Count - StepsDone;
             if (count < 0 || count > left)
                 throw Guard.Refused(nameof(count), count, "must be from 0 to the " + left + " steps that the scene has left");
 
-            long end = StepsDone + count;
+            _turnstile.Enter("simulation", Scene.Name);
+            try
+            {
+                Advance(StepsDone + count);
+            }
+            finally
+            {
+                _turnstile.Leave();
+            }
+        }
+
+        private void Advance(long end)
+        {
             while (_dormant.Next < end)
-                Wake(_dormant.Take());
+                _stepped.Add(_dormant.Take());
 
             Exception failure = null;
-            for (int i = 0; i < _pushed.Count; i++)
+            for (int i = 0; i < _stepped.Count; i++)
             {
-                long reached = _pushed[i].Advance(end, ref failure);
+                long reached = _stepped[i].Advance(end, ref failure);
                 if (reached == end)
                     continue;
 
                 // where one cannot go on, all go back and come as far as that one came
                 end = reached;
                 for (; i >= 0; i--)
-                    _pushed[i].GoBack();
+                    _stepped[i].GoBack();
             }
 
-            for (int i = 0; i < _unpushed.Count; i++)
-                _unpushed[i].Advance(end, ref failure);
-
             _clock.Step = end;
-            LayDown(_pushed);
-            LayDown(_unpushed);
+            LayDown();
             if (failure != null)
                 ExceptionDispatchInfo.Capture(failure).Throw();
         }
 
         /// <summary>All that a later <see cref="Restore"/> needs to go on from here to the same bits.</summary>
-        public SavedSimulation Save() => new SavedSimulation(this, StepsDone, Array.ConvertAll(_bodies, body => body.Save()));
+        public SavedSimulation Save()
+        {
+            _turnstile.Enter("simulation", Scene.Name);
+            try
+            {
+                return new SavedSimulation(this, StepsDone, Array.ConvertAll(_bodies, body => body.Save()));
+            }
+            finally
+            {
+                _turnstile.Leave();
+            }
+        }
 
         /// <summary>Goes back, or on, to where the simulation was when it was saved.</summary>
         public void Restore(SavedSimulation saved)
@@ -98,41 +121,37 @@ namespace RigidBodyDynamics
             if (Guard.NotNull(saved, nameof(saved)).Owner != this)
                 throw new ArgumentException("saved: must come from the same simulation", nameof(saved));
 
+            _turnstile.Enter("simulation", Scene.Name);
             for (int i = 0; i < _bodies.Length; i++)
                 _bodies[i].Restore(saved.Bodies[i]);
 
             _clock.Step = saved.StepsDone;
             Sort();
+            _turnstile.Leave();
         }
 
         private void Sort()
         {
-            _pushed.Clear();
-            _unpushed.Clear();
+            _stepped.Clear();
             _dormant.Clear();
-            foreach (Body body in _bodies)
-                Wake(body);
-
-            LayDown(_pushed);
-            LayDown(_unpushed);
+            _stepped.AddRange(_bodies);
+            LayDown();
         }
 
-        private void Wake(Body body) => (body.Plan.IsPushed ? _pushed : _unpushed).Add(body);
-
-        private void LayDown(List<Body> stepped)
+        private void LayDown()
         {
             int kept = 0;
-            for (int i = 0; i < stepped.Count; i++)
+            for (int i = 0; i < _stepped.Count; i++)
             {
-                Body body = stepped[i];
+                Body body = _stepped[i];
                 if (!body.IsDormant)
-                    stepped[kept++] = body;
+                    _stepped[kept++] = body;
                 else if (body.WakesAt < Scene.Steps.Count)
                     _dormant.Add(body.WakesAt, body);
             }
 
-            if (kept < stepped.Count)
-                stepped.RemoveRange(kept, stepped.Count - kept);
+            if (kept < _stepped.Count)
+                _stepped.RemoveRange(kept, _stepped.Count - kept);
         }
     }
 

@@ -1,5 +1,4 @@
 using System;
-using System.Globalization;
 
 namespace RigidBodyDynamics
 {
@@ -55,40 +54,6 @@ namespace RigidBodyDynamics
         }
 
         private BrokenEffectException Broken(in Instant now, Exception thrown) =>
-            new BrokenEffectException(_body.Name, _body.IndexOf(_effect), _effect.Push, now, thrown);
-    }
-
-    /// <summary>
-    /// An effect gave a force or torque that is not finite, or threw an exception (<see cref="Exception.InnerException"/>).
-    /// The simulation stands before the step in which it did.
-    /// </summary>
-    public sealed class BrokenEffectException : ArithmeticException
-    {
-        internal BrokenEffectException(string body, int effect, IPush push, in Instant now, Exception thrown)
-            : base(Line(body, effect, push, now, thrown), thrown)
-        {
-            Body = body;
-            Effect = push;
-            Time = now.Time;
-        }
-
-        /// <summary>Name of the body.</summary>
-        public string Body { get; }
-
-        /// <summary>The effect.</summary>
-        public object Effect { get; }
-
-        /// <summary>When it was asked, s.</summary>
-        public double Time { get; }
-
-        private static string Line(string body, int effect, IPush push, in Instant now, Exception thrown) => string.Format(
-            CultureInfo.InvariantCulture,
-            "body \"{0}\": effects[{1}]: must push with a finite force and torque, and {2} at t = {3:R} s, in step {4} ({5})",
-            body,
-            effect,
-            thrown == null ? "did not" : "threw " + thrown.GetType().Name + " (" + thrown.Message + ")",
-            now.Time,
-            now.Step,
-            push).Replace('\r', ' ').Replace('\n', ' ');
+            new BrokenEffectException(_body, _effect, now, thrown);
     }
 }

@@ -115,6 +115,13 @@ internal sealed class Refinement
             _broken = broken;
             return null;
         }
+        catch (StateOverflowException)
+        {
+            // in steps that long it runs away: it is nowhere
+            BodyState nowhere = new BodyState(new Vector3d(double.NaN, 0, 0), Quaterniond.Identity, Vector3d.Zero, Vector3d.Zero);
+            for (long i = simulation.StepsDone + 1; i < states.Length; i++)
+                states[i] = nowhere;
+        }
 
         return new MotionPath(body, _cuts, intervals, steps, states);
     }

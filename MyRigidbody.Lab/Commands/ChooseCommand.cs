@@ -41,7 +41,7 @@ internal static class ChooseCommand
         Advice advice = null!;
         Trial lab = null!;
         BodyByBody? each = null;
-        Terminal.WithProgress("choose " + scene.Name, report =>
+        Breakdown.Placed(path, scene, () => Terminal.WithProgress("choose " + scene.Name, report =>
         {
             // one body by itself is the whole scene
             double share = scene.Bodies.Count == 1 ? 1 : 0.5;
@@ -53,7 +53,7 @@ internal static class ChooseCommand
             {
                 each = Overrides.Named(path, () => BodyByBody.Of(scene, advice, error, done => report(share + ((1 - share) * done))));
             }
-        });
+        }));
 
         if (asJson)
         {

@@ -57,9 +57,9 @@ internal static class CompareCommand
             throw new InputException($"{path}: steps: compare takes at most {MostSteps}, found {file.Scene.Steps.Count}");
         }
 
-        return file.Recording != null
+        return Breakdown.Placed(path, file.Scene, () => file.Recording != null
             ? RecordingComparison.Execute(file, file.Recording, folder, tolerance)
-            : Pairs(file, folder);
+            : Pairs(file, folder));
     }
 
     private static int Pairs(SceneFile file, string folder)
@@ -127,6 +127,7 @@ internal static class CompareCommand
         using StreamWriter writer = new(to, append: false, new UTF8Encoding(false));
         TrajectoryCsv csv = new(writer);
         csv.WriteHeader();
+        RunCommand.MustBeFinite(simulation, path);
         csv.WriteRows(simulation);
         while (simulation.StepsDone < simulation.Scene.Steps.Count)
         {

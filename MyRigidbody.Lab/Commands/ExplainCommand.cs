@@ -50,14 +50,14 @@ internal static class ExplainCommand
             known.Add(key, bodies[^1]);
         }
 
-        Terminal.WithProgress("measuring what is left out", report =>
+        Breakdown.Placed(path, scene, () => Terminal.WithProgress("measuring what is left out", report =>
         {
             for (int i = 0; i < bodies.Count; i++)
             {
                 int before = i;
                 bodies[i].Savings = Saving.Measure(bodies[i].Plan, bodies[i].Explanation.LeftOut, done => report((before + done) / bodies.Count));
             }
-        });
+        }));
 
         if (json)
             Terminal.WriteJson(JsonSerializer.Serialize(new { scene = scene.Name, bodies = bodies.Select(body => body.ToJson()) }, Indented));

@@ -100,10 +100,13 @@ internal sealed class Population
         foreach ((BodyDescription body, Batch batch, BodyState[] states) in _crowds)
         {
             batch.Read(states);
-            int lost = Array.FindIndex(states, state => !state.IsFinite);
-            if (lost >= 0)
+            for (int i = 0; i < states.Length; i++)
             {
-                throw new FellShortException($"{path}: body {body.Name} {lost}: {body.Integrator} has run away: no finite state after step {StepsDone}");
+                // a name for each of millions would cost more than the look
+                if (!RunCommand.IsFinite(states[i], body.Mass))
+                {
+                    RunCommand.MustBeFinite(path, $"{body.Name} {i}", states[i], body, StepsDone);
+                }
             }
         }
     }

@@ -9,7 +9,7 @@ namespace RigidBodyDynamics.Lab.Commands;
 /// <summary>Writes the trajectory of a scene.</summary>
 internal static class RunCommand
 {
-    private const long StepsBetweenReports = 50_000;
+    private const long StepsAtFirst = 50_000, MillisecondsOfPiece = 50;
 
     // a reader who waits is served, and one who has left is noticed
     private const long MillisecondsBetweenFlushes = 200;
@@ -60,21 +60,21 @@ internal static class RunCommand
         if (output == null)
         {
             using StreamWriter standard = new(StandardOutput.Open(), new UTF8Encoding(false));
-            Write(Bodies(), every, path, standard);
+            Breakdown.Placed(path, scene, () => Write(Bodies(), every, path, standard));
         }
         else
         {
             WriteFile("--out", output, read, temporary =>
             {
                 using StreamWriter file = new(temporary, append: false, new UTF8Encoding(false));
-                Write(Bodies(), every, path, file);
+                Breakdown.Placed(path, scene, () => Write(Bodies(), every, path, file));
             });
         }
 
         if (report != null)
         {
             string command = Command(path, integrator, step, report);
-            WriteFile("--report", report, read, temporary => PageWriter.Write(Reports.Of(read, scene, Bodies(), command), temporary));
+            WriteFile("--report", report, read, temporary => PageWriter.Write(Breakdown.Placed(path, scene, () => Reports.Of(read, scene, Bodies(), command)), temporary));
         }
 
         return 0;
@@ -105,16 +105,20 @@ internal static class RunCommand
         long count = simulation.Steps.Count;
         if (every > 0)
         {
+            simulation.MustBeFinite(path);
             simulation.WriteRows(csv);
         }
 
         Terminal.WithProgress("run " + path, report =>
         {
             long flushed = Environment.TickCount64;
-            long next = every == 0 ? count : Math.Min(every, count);
+            long next = every == 0 ? count : Math.Min(every, count), piece = StepsAtFirst;
             while (simulation.StepsDone < count)
             {
-                simulation.Step(Math.Min(next - simulation.StepsDone, StepsBetweenReports));
+                long began = Environment.TickCount64;
+                simulation.Step(Math.Min(next - simulation.StepsDone, piece));
+                // bodies that coast take 2⁶³ steps as quickly as one
+                piece = Environment.TickCount64 - began < MillisecondsOfPiece ? Math.Min(piece, long.MaxValue / 2) * 2 : Math.Max(piece / 2, StepsAtFirst);
                 report((double)simulation.StepsDone / count);
                 if (simulation.StepsDone == next)
                 {
@@ -132,16 +136,25 @@ internal static class RunCommand
         });
     }
 
-    /// <summary>A rule can run away from a scene that is too hard for it; its numbers are then worth nothing.</summary>
+    /// <summary>A row of a table is written only if all of it is finite: states are, and a mass may be too large for their energy.</summary>
     internal static void MustBeFinite(Simulation simulation, string path)
     {
         foreach (Body body in simulation.Bodies)
         {
-            if (!body.State.IsFinite || !Guard.IsFinite(body.KineticEnergy))
-            {
-                throw new FellShortException(
-                    $"{path}: body {body.Name}: {body.Integrator} has run away: no finite state after step {simulation.StepsDone}");
-            }
+            MustBeFinite(path, body.Name, body.State, body.Plan.Asked, simulation.StepsDone);
+        }
+    }
+
+    /// <summary>True if the energy and the angular momentum of a state are finite.</summary>
+    internal static bool IsFinite(in BodyState state, MassProperties mass) =>
+        Guard.IsFinite(Conserved.KineticEnergy(state, mass)) && Conserved.AngularMomentum(state, mass).IsFinite;
+
+    /// <summary>The same for one body.</summary>
+    internal static void MustBeFinite(string path, string name, in BodyState state, BodyDescription body, long step)
+    {
+        if (!IsFinite(state, body.Mass))
+        {
+            throw new FellShortException($"{path}: body {name}: {body.Integrator} has run away: no finite energy or angular momentum after step {step}");
         }
     }
 }

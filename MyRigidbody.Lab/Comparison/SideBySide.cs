@@ -10,7 +10,7 @@ internal sealed class SideBySide
     /// <summary>All of them at their start.</summary>
     public SideBySide(TimeSteps steps, params BodyDescription[] bodies)
     {
-        _simulation = new Simulation(steps, [.. bodies.Select((body, i) => body.Copy("body " + i, body.Mass))]);
+        _simulation = new Simulation(steps, [.. bodies.Select((body, i) => body.Copy($"{body.Name}, {i + 1} of {bodies.Length}", body.Mass))]);
         _states = [.. _simulation.Bodies.Select(body => body.State)];
         _turned = new Vector3d[bodies.Length];
     }
@@ -27,11 +27,14 @@ internal sealed class SideBySide
     public Vector3d Turned(int body) => _turned[body];
 
     /// <summary>How far two of the bodies are apart now.</summary>
-    public Moment Between(int a, int b) => new(
-        _simulation.Time,
-        (_states[a].Position - _states[b].Position).Length,
-        Conserved.AngleBetween(_states[a].Orientation, _states[b].Orientation),
-        (_turned[a] - _turned[b]).Length);
+    public Moment Between(int a, int b)
+    {
+        double distance = (_states[a].Position - _states[b].Position).Length;
+        return Guard.IsFinite(distance)
+            ? new(_simulation.Time, distance, Conserved.AngleBetween(_states[a].Orientation, _states[b].Orientation), (_turned[a] - _turned[b]).Length)
+            : throw new FellShortException(FormattableString.Invariant(
+                $"body {_simulation.Bodies[a].Name}: is at t = {_simulation.Time:R} s farther from {_simulation.Bodies[b].Name} than a number can say"));
+    }
 
     /// <summary>One step of all.</summary>
     /// <returns>False if there was none left.</returns>

@@ -1,3 +1,5 @@
+using System.Globalization;
+
 namespace RigidBodyDynamics.Lab;
 
 /// <summary>Reads a scene file ("rigid-body-scene/1") or a recording ("free-rigid-body/1").</summary>
@@ -51,6 +53,13 @@ internal static class SceneReader
         }
 
         list.Make(() => Memory.MustHold("their effects", bytes));
+        foreach (BodyDescription body in bodies)
+        {
+            if (NamedLike(body.Name, crowds) is string crowd)
+            {
+                throw list.Wrong($"name: must be unique in the scene, found \"{body.Name}\" again among those of \"{crowd}\"");
+            }
+        }
 
         if (bodies.Count == 0)
         {
@@ -58,6 +67,20 @@ internal static class SceneReader
         }
 
         return new SceneFile(list.File, new Scene(name, about, steps, bodies), crowds, solidBoxes, null);
+    }
+
+    /// <summary>The crowd one of whose bodies is called by a name, "b 0"; null if there is none.</summary>
+    private static string? NamedLike(string name, Dictionary<string, ManyBodies> crowds)
+    {
+        int space = name.LastIndexOf(' ');
+        return space >= 0
+            && crowds.TryGetValue(name[..space], out ManyBodies? crowd)
+            && int.TryParse(name.AsSpan(space + 1), NumberStyles.None, CultureInfo.InvariantCulture, out int number)
+            && number < crowd.Count
+            && name.Length - space - 1 == number.ToString(CultureInfo.InvariantCulture).Length
+            && !crowds.ContainsKey(name)
+                ? crowd.Body.Name
+                : null;
     }
 
     private static TimeSteps Steps(Fields fields)

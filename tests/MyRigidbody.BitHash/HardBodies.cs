@@ -21,10 +21,10 @@ namespace RigidBodyDynamics.BitHash
                         {
                             Run(ref hash, new Simulation(TimeSteps.Every(step), body));
                         }
-                        catch (BrokenEffectException)
+                        catch (StateOverflowException lost)
                         {
-                            // an unstable rule has carried the body so far that its spring breaks: everywhere in the same step
-                            hash.Add(2.0);
+                            // an unstable rule has run away: everywhere in the same step
+                            hash.Add((double)lost.Step);
                         }
                     }
                 }
@@ -36,7 +36,7 @@ namespace RigidBodyDynamics.BitHash
             for (int n = 0; n < StepsEach; n++)
             {
                 simulation.Step();
-                Add(ref hash, simulation.Bodies[0].State);
+                hash.Add(simulation.Bodies[0].State);
             }
 
             // seldom looked at, and gone on with from a saved state
@@ -44,16 +44,7 @@ namespace RigidBodyDynamics.BitHash
             simulation.Step(10);
             simulation.Restore(saved);
             simulation.Step(150);
-            Add(ref hash, simulation.Bodies[0].State);
-        }
-
-        /// <summary>Where a rule has gone to infinity the kinds of NaN are no result: it counts that it has.</summary>
-        private static void Add(ref StateHash hash, in BodyState state)
-        {
-            if (state.IsFinite)
-                hash.Add(state);
-            else
-                hash.Add(1.0);
+            hash.Add(simulation.Bodies[0].State);
         }
 
         public static IEnumerable<BodyDescription> All()

@@ -142,7 +142,7 @@ internal sealed class Reading(string folder)
         {
             return Outcome.Refused;
         }
-        catch (Exception noticed) when (noticed is FellShortException or BrokenEffectException)
+        catch (Exception noticed) when (noticed is FellShortException or BrokenEffectException or StateOverflowException)
         {
             return Outcome.RanAway;
         }

@@ -28,7 +28,7 @@ namespace RigidBodyDynamics
 
         public bool IsAsleep { get; private set; }
 
-        public bool IsFinite => State.IsFinite;
+        public bool IsFinite => State.HasFiniteSquares;
 
         /// <summary>A body that sleeps stays where it is, gravity or not, until a force wakes it.</summary>
         public bool HasClosedForm => IsAsleep;

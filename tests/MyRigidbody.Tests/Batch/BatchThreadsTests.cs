@@ -6,38 +6,45 @@ namespace RigidBodyDynamics.Tests;
 [NonParallelizable]
 public sealed class BatchThreadsTests
 {
-    private const int Bodies = 8 * 1024;
+    private const int Bodies = 24 * 1024, Steps = 10, PoolThreads = 24;
+    private static int _workers, _ports;
 
-    [TestCase("LabEuler", "nothing")]
-    [TestCase("Exact", "torque")]
-    [TestCase("Exact4", "spring")]
-    public void Number_of_threads_may_change_while_the_pool_is_busy(string rule, string act)
+    [OneTimeSetUp]
+    public static void Widen_the_pool()
     {
-        BodyDescription body = new("body", Crowding.Masses.First()) { Integrator = rule };
-        if (act == "torque")
-            body.With(Torque.Constant(new Vector3d(0.1, 0.2, -0.1)), 0.5);
-        else if (act == "spring")
-            body.With(new Spring(new Vector3d(0, 0.5, 0), new Vector3d(0, 3, 0), 4), 0.1, 0.6);
+        ThreadPool.GetMinThreads(out _workers, out _ports);
+        ThreadPool.SetMinThreads(PoolThreads, _ports);
+    }
 
-        BodyState[] starts = Crowding.Starts(Bodies, 3, body), expected = new BodyState[Bodies], found = new BodyState[Bodies];
-        Batch one = Filled(1);
-        one.Step(1 + 1 + 40 + 3);
+    [OneTimeTearDown]
+    public static void Narrow_it_again() => ThreadPool.SetMinThreads(_workers, _ports);
+
+    [TestCase("LabEuler")]
+    [TestCase("Exact")]
+    [TestCase("RungeKutta4")]
+    public void Number_of_threads_may_change_while_helpers_are_in_the_queue(string rule)
+    {
+        BodyState[] starts = Crowding.Starts(Bodies, 3, Body(new ManualResetEventSlim())), expected = new BodyState[Bodies], found = new BodyState[Bodies];
+        using ManualResetEventSlim set = new(true);
+        Batch one = Filled(1, set);
+        one.Step(1 + Steps + 3);
         one.Read(expected);
-        for (int round = 0; round < 30; round++)
+        for (int round = 0; round < 4; round++)
         {
-            Batch many = Filled(8);
             using ManualResetEventSlim go = new();
-            int threads = ThreadPool.ThreadCount + Environment.ProcessorCount;
-            Task[] busy = [.. Enumerable.Range(0, threads).Select(_ => Task.Run(() => go.Wait()))];
-            // the helpers that are called now find no thread before those of the next call are there as well
+            using CountdownEvent waiting = new(PoolThreads);
+            Batch many = Filled(8, go);
+            Task[] busy = [.. Enumerable.Range(0, PoolThreads).Select(_ => Task.Run(() =>
+            {
+                waiting.Signal();
+                go.Wait();
+            }))];
+            waiting.Wait();
+            // the helpers that are called here find no thread before those of the next call are in the queue as well, and work is there
             many.Step();
             many.Threads = 1;
             many.Threads = 8;
-            many.Step();
-            many.Threads = 3;
-            many.Threads = 8;
-            go.Set();
-            many.Step(40);
+            many.Step(Steps);
             many.Threads = 2;
             many.Step(3);
             Task.WaitAll(busy);
@@ -46,13 +53,30 @@ public sealed class BatchThreadsTests
                 Crowding.Same(found[i], expected[i], $"round {round}, body {i}");
         }
 
-        Batch Filled(int threads)
+        BodyDescription Body(ManualResetEventSlim go) =>
+            new BodyDescription("body", Crowding.Masses.First()) { Integrator = rule }.With(new Starter(go));
+
+        Batch Filled(int threads, ManualResetEventSlim go)
         {
-            Batch batch = new(body, TimeSteps.Every(0.02), Omissions.None) { Threads = threads };
+            Batch batch = new(Body(go), TimeSteps.Every(0.02), Omissions.None) { Threads = threads };
             foreach (BodyState start in starts)
                 batch.Add(start);
 
             return batch;
+        }
+    }
+
+    /// <summary>Pushes with nothing, and lets the pool go when its second step is asked for.</summary>
+    private readonly struct Starter(ManualResetEventSlim go) : IPush
+    {
+        public PushTraits Traits => PushTraits.Turns | PushTraits.ReadsTime;
+
+        public void At(in Instant now, in BodyState body, MassProperties mass, ref Wrench wrench) => Over(now, 1, body, mass, ref wrench);
+
+        public void Over(in Instant now, double duration, in BodyState body, MassProperties mass, ref Wrench impulse)
+        {
+            if (now.Step == 1 && !go.IsSet)
+                go.Set();
         }
     }
 }

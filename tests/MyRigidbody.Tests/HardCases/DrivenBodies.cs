@@ -34,7 +34,9 @@ internal static class DrivenBodies
         double most = 0;
         for (int n = 0; n < 1000; n++)
         {
-            simulation.Step(n < 500 ? 1 : 1999);
+            if (!simulation.TryStep(n < 500 ? 1 : 1999))
+                return double.PositiveInfinity;
+
             most = Math.Max(most, Math.Abs(simulation.Bodies[0].State.Position.X));
             if (!(most < 1e6))
                 return double.PositiveInfinity;
@@ -62,7 +64,9 @@ internal static class DrivenBodies
         double start = Energy(simulation.Bodies[0]), worst = 0;
         for (int n = 0; n < 3000; n++)
         {
-            simulation.Step();
+            if (!simulation.TryStep())
+                return double.PositiveInfinity;
+
             worst = Math.Max(worst, Math.Abs(Energy(simulation.Bodies[0]) - start) / 3);
         }
 
@@ -125,7 +129,9 @@ internal static class DrivenBodies
         double most = 0;
         for (int n = 0; n < duration / 0.02; n++)
         {
-            simulation.Step();
+            if (!simulation.TryStep())
+                return double.PositiveInfinity;
+
             Vector3d axis = simulation.Bodies[0].State.Orientation.Rotate(new Vector3d(0, 0, 1));
             most = Math.Max(most, Math.Atan2(Math.Sqrt(axis.X * axis.X + axis.Y * axis.Y), axis.Z));
         }

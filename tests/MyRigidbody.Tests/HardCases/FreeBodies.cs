@@ -67,7 +67,9 @@ internal static class FreeBodies
                 double unit = Math.Max(epsilon, 1e-15);
                 for (int n = 0; n < 2000; n++)
                 {
-                    simulation.Step();
+                    if (!simulation.TryStep())
+                        return double.PositiveInfinity;
+
                     BodyState state = simulation.Bodies[0].State;
                     Vector3d w = state.Orientation.RotateInverse(state.AngularVelocity);
                     worst = Math.Max(worst, (Math.Abs(w.Y) - epsilon) / unit);

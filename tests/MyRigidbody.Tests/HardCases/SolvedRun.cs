@@ -38,7 +38,9 @@ internal sealed record SolvedRun(double Error, double Floors, double Energy, dou
         double error = 0, floors = 0, energy = 0, momentum = 0;
         foreach ((long at, ExactCase.Sample sample, double floor) in stops)
         {
-            simulation.Step(at - simulation.StepsDone);
+            if (!simulation.TryStep(at - simulation.StepsDone))
+                return new SolvedRun(double.PositiveInfinity, double.PositiveInfinity, double.PositiveInfinity, double.PositiveInfinity);
+
             double apart = Larger(
                 Conserved.AngleBetween(body.State.Orientation, sample.Orientation), (body.State.Position - sample.Position).Length);
             error = Larger(error, apart);

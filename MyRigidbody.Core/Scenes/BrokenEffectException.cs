@@ -1,0 +1,45 @@
+using System;
+using System.Globalization;
+
+namespace RigidBodyDynamics
+{
+    /// <summary>
+    /// An effect gave a force or torque that is not finite, or threw an exception (<see cref="Exception.InnerException"/>).
+    /// The simulation stands before the step in which it did.
+    /// </summary>
+    public sealed class BrokenEffectException : ArithmeticException
+    {
+        internal BrokenEffectException(BodyDescription body, PushEffect effect, in Instant now, Exception thrown)
+            : base(Guard.OneLine("body \"" + body.Name + "\": effects[" + body.IndexOf(effect) + "]: " + Why(effect, now, thrown)), thrown)
+        {
+            Body = body.Name;
+            Effect = effect.Push;
+            Entry = effect;
+            Time = now.Time;
+            Reason = Why(effect, now, thrown);
+        }
+
+        /// <summary>Name of the body.</summary>
+        public string Body { get; }
+
+        /// <summary>The effect.</summary>
+        public object Effect { get; }
+
+        /// <summary>The same with the time in which it acts, as the body's description has it.</summary>
+        public Effect Entry { get; }
+
+        /// <summary>When it was asked, s.</summary>
+        public double Time { get; }
+
+        /// <summary>The message without the place.</summary>
+        public string Reason { get; }
+
+        private static string Why(PushEffect effect, in Instant now, Exception thrown) => Guard.OneLine(string.Format(
+            CultureInfo.InvariantCulture,
+            "must push with a finite force and torque, and {0} at t = {1:R} s, in step {2} ({3})",
+            thrown == null ? "did not" : "threw " + thrown.GetType().Name + " (" + thrown.Message + ")",
+            now.Time,
+            now.Step,
+            effect.Push));
+    }
+}

@@ -1,0 +1,69 @@
+using System;
+using System.Collections.Generic;
+using System.Globalization;
+
+namespace RigidBodyDynamics
+{
+    /// <summary>
+    /// A rule has run away: after a step a number of a body's state, or the square of a velocity, does not fit double precision.
+    /// The bodies of a <see cref="Simulation"/> stand before that step.
+    /// </summary>
+    public sealed class StateOverflowException : ArithmeticException
+    {
+        internal StateOverflowException(BodyPlan plan, long step, int number = -1) : base(Guard.OneLine(
+            "body \"" + plan.Body.Name + "\"" + (number < 0 ? string.Empty : " " + number.ToString(CultureInfo.InvariantCulture)) + ": " + Why(plan, step)))
+        {
+            Body = plan.Body.Name;
+            Number = number;
+            Integrator = plan.Row.Name;
+            Step = step;
+            Time = plan.Steps.StartOf(step + 1);
+            Reason = Why(plan, step);
+        }
+
+        /// <summary>Name of the body.</summary>
+        public string Body { get; }
+
+        /// <summary>Its number in a batch; −1 where it is not in one.</summary>
+        public int Number { get; }
+
+        /// <summary>Name of its rule.</summary>
+        public string Integrator { get; }
+
+        /// <summary>The step, from 0, that does not lead to a state.</summary>
+        public long Step { get; }
+
+        /// <summary>The end of that step, s.</summary>
+        public double Time { get; }
+
+        /// <summary>The message without the body.</summary>
+        public string Reason { get; }
+
+        private static string Why(BodyPlan plan, long step) => Guard.OneLine(string.Format(
+            CultureInfo.InvariantCulture,
+            "{0} has run away: no finite state at t = {1:R} s, after step {2}{3}",
+            plan.Row.Name,
+            plan.Steps.StartOf(step + 1),
+            step,
+            Acting(plan, step)));
+
+        /// <summary>What acts in the step: one of them is likely to be to blame.</summary>
+        private static string Acting(BodyPlan plan, long step)
+        {
+            const int MostNamed = 3;
+            List<string> named = new List<string>();
+            foreach (StretchPlan stretch in plan.Stretches)
+            {
+                for (int i = 0; stretch.First <= step && step < stretch.End && i < stretch.Effects.Count; i++)
+                {
+                    if (i < MostNamed)
+                        named.Add("effects[" + plan.Body.IndexOf(stretch.Effects[i]) + "] (" + stretch.Effects[i].Motion + ")");
+                    else if (i == MostNamed)
+                        named.Add("others");
+                }
+            }
+
+            return named.Count == 0 ? string.Empty : ", under " + string.Join(", ", named);
+        }
+    }
+}
