@@ -88,7 +88,7 @@ public sealed class ScriptTests
     {
         Verdict verdict = Runner.Run(Runner.With(update: update)).Verdict;
         Assert.That((verdict.Outcome, verdict.Findings[0].Code), Is.EqualTo((Outcome.Refused, code)));
-        Assert.That(verdict.Findings[0].Line, Is.EqualTo(36));
+        Assert.That(verdict.Findings[0].Line, Is.EqualTo(34));
     }
 
     [Test]
