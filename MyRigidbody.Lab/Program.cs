@@ -1,4 +1,5 @@
 using System.CommandLine;
+using System.CommandLine.Help;
 using System.Globalization;
 using System.Text;
 using RigidBodyDynamics.Lab.Commands;
@@ -9,6 +10,8 @@ namespace RigidBodyDynamics.Lab;
 /// <summary>The command line: every command answers bad input with one line on standard error and exit code 2.</summary>
 internal static class Program
 {
+    private const int NarrowestHelp = 40;
+
     private static int Main(string[] args)
     {
         Console.OutputEncoding = new UTF8Encoding(encoderShouldEmitUTF8Identifier: false);
@@ -34,6 +37,12 @@ internal static class Program
         };
         // with no command at all: the lab's scene, both bodies
         root.SetAction(_ => CompareCommand.Execute(Gallery.Lab, CompareCommand.DefaultFolder, CompareCommand.DefaultTolerance));
+        // in a terminal of some columns the library cuts a text before its beginning
+        foreach (HelpAction help in root.Options.Select(option => option.Action).OfType<HelpAction>())
+        {
+            help.MaxWidth = Math.Max(help.MaxWidth, NarrowestHelp);
+        }
+
         // a file whose name begins with @ is a file
         ParseResult parsed = root.Parse(args, new ParserConfiguration { ResponseFileTokenReplacer = null });
         if (parsed.Errors.Count > 0)
