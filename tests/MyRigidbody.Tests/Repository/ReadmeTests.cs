@@ -113,6 +113,7 @@ public sealed class ReadmeTests
         foreach (string table in new[] { "<!-- figures: engines -->", "<!-- figures: runtimes -->", "```csharp" })
             Assert.That(Between("README.zh.md", table, End(table)).Skip(2), Is.EqualTo(Between("README.md", table, End(table)).Skip(2)).And.Not.Empty);
 
+        Assert.That(Named("README.zh.md"), Is.EqualTo(Named("README.md")));
         Assert.That(Starting("README.md", "    dotnet"), Is.SupersetOf(Starting("README.zh.md", "    dotnet")));
         Assert.That(Pictures("README.md"), Is.SupersetOf(Pictures("README.zh.md")));
 
@@ -120,6 +121,8 @@ public sealed class ReadmeTests
         static string[] Shares(string page) => [.. Between(page, "<!-- compare lab.json -->", "<!-- end -->").Skip(2)
             .Select(line => line.Split('|', StringSplitOptions.TrimEntries))
             .Select(cells => cells[4] + cells[5])];
+        // integrators and commands
+        static string[] Named(string page) => [.. Starting(page, "| `").Select(line => line.Split(" | ")[0])];
         static string[] Starting(string page, string with) => [.. Tree.Text(page).Split('\n').Where(line => line.StartsWith(with, StringComparison.Ordinal))];
         static string[] Pictures(string page) => [.. Starting(page, "![").Select(line => line[line.IndexOf('(')..])];
     }
