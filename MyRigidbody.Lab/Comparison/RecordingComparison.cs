@@ -5,15 +5,23 @@ using RigidBodyDynamics.Lab.Report;
 
 namespace RigidBodyDynamics.Lab.Comparison;
 
-/// <summary>How far our UnityRigidbody is from a recorded Rigidbody, and where it first parts.</summary>
+/// <summary>How far our UnityRigidbody is from a recorded Rigidbody, or the lab's rule from a recorded script, and where it first parts.</summary>
 internal sealed class RecordingComparison
 {
-    private static readonly (string Name, string Unit, int First, int Count)[] Parts =
+    private static readonly (string Name, string Unit, int First, int Count)[] AllParts =
         [("position", "m", 0, 3), ("orientation", "", 3, 4), ("velocity", "m/s", 7, 3), ("angular velocity", "rad/s", 10, 3)];
 
-    private readonly double[] _farthest = new double[Parts.Length];
+    private readonly (string Name, string Unit, int First, int Count)[] _judged;
+    private readonly double[] _farthest;
     private readonly List<Compared> _course = [];
     private string? _parts;
+
+    // of a script's velocity nothing is known but what the poses say again
+    private RecordingComparison(Recording recording)
+    {
+        _judged = recording.IsOfScript ? AllParts[..2] : AllParts;
+        _farthest = new double[_judged.Length];
+    }
 
     private double Farthest => _farthest.Max();
 
@@ -35,7 +43,7 @@ internal sealed class RecordingComparison
             throw new InputException($"--out: must be another folder than the recording's own, found {folder}");
         }
 
-        RecordingComparison found = new();
+        RecordingComparison found = new(recording);
         Simulation simulation = new(file.Scene);
         found.Look(simulation, recording);
         while (simulation.StepsDone < file.Scene.Steps.Count)
@@ -51,7 +59,7 @@ internal sealed class RecordingComparison
         Motion motion = Motion.Of(file.Scene, Words.All["recorded"].With(file.Scene.Bodies[0].Name).En, found._course);
         foreach (string format in new[] { ".png", ".svg" })
         {
-            files.Write("apart" + format, to => Pictures.Save(ComparePictures.Apart($"{file.Scene.Name}: how far UnityRigidbody is from the recording", found._course), to));
+            files.Write("apart" + format, to => Pictures.Save(ComparePictures.Apart($"{file.Scene.Name}: how far {file.Scene.Bodies[0].Integrator} is from the recording", found._course), to));
         }
 
         MotionPictures.Write(file.Scene.Name, motion, files);
@@ -79,17 +87,24 @@ internal sealed class RecordingComparison
         new Vector3d(row[7], row[8], row[9]),
         new Vector3d(row[10], row[11], row[12]));
 
+    // q and −q are one orientation, and a script may hold either
+    private static float[] WithSignOf(Quaterniond ours, float[] row)
+    {
+        double cosine = ours.X * row[3] + ours.Y * row[4] + ours.Z * row[5] + ours.W * row[6];
+        return cosine >= 0 ? row : [.. row[..3], -row[3], -row[4], -row[5], -row[6], .. row[7..]];
+    }
+
     private void Look(Simulation simulation, Recording recording)
     {
         int row = (int)simulation.StepsDone;
         BodyState state = simulation.Bodies[0].State, recorded = State(recording.Rows[row]);
         double[] ours = Values(state);
-        float[] theirs = recording.Rows[row];
+        float[] theirs = recording.IsOfScript ? WithSignOf(state.Orientation, recording.Rows[row]) : recording.Rows[row];
         double distance = (state.Position - recorded.Position).Length, angle = Conserved.AngleBetween(state.Orientation, recorded.Orientation);
         _course.Add(new Compared(row, state, recorded, new Moment(simulation.Time, distance, angle, angle)));
-        for (int part = 0; part < Parts.Length; part++)
+        for (int part = 0; part < _judged.Length; part++)
         {
-            for (int i = Parts[part].First; i < Parts[part].First + Parts[part].Count; i++)
+            for (int i = _judged[part].First; i < _judged[part].First + _judged[part].Count; i++)
             {
                 double difference = Math.Abs(ours[i] - theirs[i]);
                 _farthest[part] = difference > _farthest[part] || double.IsNaN(difference) ? difference : _farthest[part];
@@ -122,10 +137,10 @@ internal sealed class RecordingComparison
     }
 
     private Word Lead(Scene scene) => _parts == null
-        ? Words.All["recording.same"].With(scene.Steps.Count)
-        : Words.All["recording.parts"].With(_parts);
+        ? Words.All["recording.same"].With(scene.Bodies[0].Integrator, scene.Steps.Count)
+        : Words.All["recording.parts"].With(scene.Bodies[0].Integrator, _parts);
 
-    private IEnumerable<RecordingTable.Row> Rows() => Parts.Select((part, i) => new RecordingTable.Row(
+    private IEnumerable<RecordingTable.Row> Rows() => _judged.Select((part, i) => new RecordingTable.Row(
         Words.Phrase(part.Name),
         string.Create(CultureInfo.InvariantCulture, $"{_farthest[i]:G3} {part.Unit}").Trim()));
 
@@ -136,6 +151,6 @@ internal sealed class RecordingComparison
             steps = scene.Steps.Count,
             bitForBit = _parts == null,
             firstParts = _parts,
-            largestDifference = Parts.Select((part, i) => (part.Name, Value: _farthest[i])).ToDictionary(part => part.Name, part => part.Value),
+            largestDifference = _judged.Select((part, i) => (part.Name, Value: _farthest[i])).ToDictionary(part => part.Name, part => part.Value),
         }) + "\n";
 }

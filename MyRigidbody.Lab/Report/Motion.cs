@@ -71,7 +71,7 @@ internal sealed class Motion
     {
         Motion motion = new(scene.Steps, 2);
         BodyDescription body = scene.Bodies[0];
-        motion.Add(new Track("UnityRigidbody", body.Mass, body.Mass), new Track(recorded, body.Mass, body.Mass), course);
+        motion.Add(new Track(body.Integrator, body.Mass, body.Mass), new Track(recorded, body.Mass, body.Mass), course);
         motion.Thin(course);
         motion.Held = HeldBy([body], scene.Steps);
         return motion;

@@ -1,6 +1,6 @@
 namespace RigidBodyDynamics.Lab.Report;
 
-/// <summary>How far our UnityRigidbody is from a recorded one.</summary>
+/// <summary>How far our simulation is from a recorded body.</summary>
 /// <param name="Lead">Whether it repeats the recording, or where they part.</param>
 /// <param name="Rows">What, and the largest difference in it.</param>
 internal sealed record RecordingTable(Word Lead, IReadOnlyList<RecordingTable.Row> Rows) : Section

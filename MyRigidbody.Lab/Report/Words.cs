@@ -85,8 +85,8 @@ internal static class Words
 
         ["recording"] = new("How far from the recording", "与录制的差别"),
         ["recording.same"] = new(
-            "UnityRigidbody repeats all {0} steps of the recording bit for bit.", "UnityRigidbody 逐位重现了录制的全部 {0} 步。"),
-        ["recording.parts"] = new("UnityRigidbody first parts from the recording at {0}.", "UnityRigidbody 与录制首次不同：{0}。"),
+            "{0} repeats all {1} steps of the recording bit for bit.", "{0} 逐位重现了录制的全部 {1} 步。"),
+        ["recording.parts"] = new("{0} first parts from the recording at {1}.", "{0} 与录制首次不同：{1}。"),
         ["recording.caption"] = new("Largest differences", "最大差别"),
         ["recording.of"] = new("of", "量"),
         ["recording.largest"] = new("largest difference", "最大差别"),

@@ -2,13 +2,17 @@ using System.Globalization;
 
 namespace RigidBodyDynamics.Lab;
 
-/// <summary>The recorded motion of a real Rigidbody: a row for its start and one after every step.</summary>
+/// <summary>The recorded motion of a real Rigidbody, or of an object that a student's script moves: a row for its start and one after every step.</summary>
 /// <param name="Path">The CSV file.</param>
 /// <param name="Rows">Its rows; empty if there is no file.</param>
-internal sealed record Recording(string Path, IReadOnlyList<float[]> Rows)
+/// <param name="IsOfScript">Whether a script was recorded: its velocities are differences of its poses.</param>
+internal sealed record Recording(string Path, IReadOnlyList<float[]> Rows, bool IsOfScript = false)
 {
     /// <summary>The schema of a recording.</summary>
     public const string Schema = "free-rigid-body/1";
+
+    /// <summary>The schema of a recorded script, of which only the pose is known.</summary>
+    public const string ScriptSchema = "lab-script/1";
 
     /// <summary>The columns of a row after step and time.</summary>
     public static readonly string[] Columns = ["px", "py", "pz", "qx", "qy", "qz", "qw", "vx", "vy", "vz", "wx", "wy", "wz"];

@@ -1,6 +1,6 @@
 namespace RigidBodyDynamics.Lab;
 
-/// <summary>Reads a recording: one body that moves by UnityRigidbody, with a force and a torque for every step.</summary>
+/// <summary>Reads a recording: one body that moves by UnityRigidbody, or by LabEuler where a script was recorded, with a force and a torque for every step.</summary>
 internal static class RecordingReader
 {
     /// <summary>The recording as a scene. Every number is read in single precision, as the engine received it.</summary>
@@ -28,6 +28,33 @@ internal static class RecordingReader
         root.Check(body);
         Scene scene = new(name, about, steps, [body]);
         return new SceneFile(root.File, scene, new Dictionary<string, ManyBodies>(), new Dictionary<string, MassProperties>(), Recording.Beside(root.File, count));
+    }
+
+    /// <summary>What a student's script was given, for the lab's own rule: starts at rest, a step a frame.</summary>
+    public static SceneFile ReadScript(Place root)
+    {
+        Fields fields = root.Fields();
+        fields.Required("schema");
+        string name = fields.Required("name").ShortText();
+        string about = fields.Or("about", string.Empty, place => place.Text());
+        long count = fields.Required("steps").Count();
+        Place dt = fields.Required("dt"), decay = fields.Required("decayPerStep");
+        double[] lengths = Numbers(dt, count);
+        TimeSteps steps = dt.Make(() => TimeSteps.Of(lengths));
+        double mass = Number(fields, "mass");
+        Vector3d edges = Vector(fields, "boxVertices");
+        MassProperties properties = fields.Place.Make(() => PointMasses.BoxVertices(mass, edges));
+        BodyDescription body = fields.Place.Make(() => new BodyDescription(name, properties));
+        body.Integrator = "LabEuler";
+        body.Start = new BodyState(Vector(fields, "position"), Turn(fields, "rotation"), Vector3d.Zero, Vector3d.Zero);
+        body.With(new PerStep(Vectors(fields, "force", count), Vectors(fields, "torque", count)));
+        double factor = decay.Single();
+        decay.Make(() => body.With(new DecayPerStep(factor, factor)));
+        fields.End();
+        root.Check(body);
+        Scene scene = new(name, about, steps, [body]);
+        Recording recording = Recording.Beside(root.File, count) with { IsOfScript = true };
+        return new SceneFile(root.File, scene, new Dictionary<string, ManyBodies>(), new Dictionary<string, MassProperties>(), recording);
     }
 
     private static BodyDescription Body(Fields fields, string name)

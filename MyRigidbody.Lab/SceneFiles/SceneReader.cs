@@ -2,7 +2,7 @@ using System.Globalization;
 
 namespace RigidBodyDynamics.Lab;
 
-/// <summary>Reads a scene file ("rigid-body-scene/1") or a recording ("free-rigid-body/1").</summary>
+/// <summary>Reads a scene file ("rigid-body-scene/1") or a recording ("free-rigid-body/1", "lab-script/1").</summary>
 internal static class SceneReader
 {
     /// <summary>The schema of a scene.</summary>
@@ -22,7 +22,12 @@ internal static class SceneReader
     {
         Fields fields = root.Fields();
         Place schema = fields.Required("schema");
-        return schema.OneOf(Schema, Recording.Schema) == 0 ? Scene(fields) : RecordingReader.Read(root);
+        return schema.OneOf(Schema, Recording.Schema, Recording.ScriptSchema) switch
+        {
+            0 => Scene(fields),
+            1 => RecordingReader.Read(root),
+            _ => RecordingReader.ReadScript(root),
+        };
     });
 
     private static SceneFile Scene(Fields fields)

@@ -98,6 +98,47 @@ public sealed class CompareTests
         Assert.That(lab.Error, Does.StartWith("error: ").And.Contain("tolerance"));
     }
 
+    // v = 0.1, then 0.98 · 0.1 + 0.1 m/s; the row's q has the other sign, and its velocities are not those of any rule
+    [Test]
+    public void A_recorded_script_is_measured_by_its_poses_against_the_labs_rule()
+    {
+        using TemporaryFolder folder = new();
+        RecordedScript(folder, "0.98");
+
+        LabProcess lab = LabProcess.Run(folder.Path, "compare", "script.json", "--tolerance", "1e-8");
+
+        Assert.That(lab.ExitCode, Is.Zero, lab.Output + lab.Error);
+        Assert.That(lab.Output, Does.Contain("orientation │ 0 ").And.Not.Contain("velocity"));
+    }
+
+    [TestCase("2", "decay")]
+    [TestCase("\"x\"", "script.json: decayPerStep")]
+    public void A_recorded_script_that_cannot_be_is_refused_in_a_line(string decay, string error)
+    {
+        using TemporaryFolder folder = new();
+        RecordedScript(folder, decay);
+
+        LabProcess lab = LabProcess.Run(folder.Path, "compare", "script.json");
+
+        Assert.That(lab.ExitCode, Is.EqualTo(2));
+        Assert.That(lab.Error.Trim(), Does.StartWith("error: script.json: ").And.Contain(error).And.Not.Contain("\n"));
+        Assert.That(Directory.Exists(folder.File("out")), Is.False);
+    }
+
+    private static void RecordedScript(TemporaryFolder folder, string decay)
+    {
+        File.WriteAllText(folder.File("script.json"), $$"""
+            { "schema": "lab-script/1", "name": "script", "mass": 1, "boxVertices": [1, 1, 1], "decayPerStep": {{decay}}, "position": [0, 0, 0],
+              "rotation": [0, 0, 0, 1], "steps": 2, "dt": [0.02, 0.02], "force": [5, 0, 0, 5, 0, 0], "torque": [0, 0, 0, 0, 0, 0] }
+            """);
+        File.WriteAllText(folder.File("script.csv"), """
+            step,t,px,py,pz,qx,qy,qz,qw,vx,vy,vz,wx,wy,wz,wakeCounter,asleep
+            0,0,0,0,0,0,0,0,1,9,9,9,9,9,9,0,0
+            1,0.02,0.002,0,0,0,0,0,-1,9,9,9,9,9,9,0,0
+            2,0.04,0.00596,0,0,0,0,0,1,9,9,9,9,9,9,0,0
+            """ + "\n");
+    }
+
     [Test]
     public void Help_names_the_commands_and_version_is_the_packages()
     {

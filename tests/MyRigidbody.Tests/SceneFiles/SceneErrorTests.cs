@@ -11,7 +11,7 @@ public sealed class SceneErrorTests
     [TestCase("{", "scene.json: line 1, column 2: ")]
     [TestCase("[]", "scene.json: must be an object { … }, found []")]
     [TestCase("{}", "scene.json: \"schema\" is missing")]
-    [TestCase("""{ "schema": "rigid-body-scene/2" }""", "scene.json: schema: must be one of \"rigid-body-scene/1\", \"free-rigid-body/1\", found \"rigid-body-scene/2\"")]
+    [TestCase("""{ "schema": "rigid-body-scene/2" }""", "scene.json: schema: must be one of \"rigid-body-scene/1\", \"free-rigid-body/1\", \"lab-script/1\", found \"rigid-body-scene/2\"")]
     [TestCase("""{ "schema": "rigid-body-scene/1", "name": 3 }""", "scene.json: name: must be a text, found 3")]
     [TestCase("""{ "schema": "rigid-body-scene/1", "name": "n", "name": "m" }""", "scene.json: Duplicate property 'name'")]
     [TestCase("""{ "schema": "rigid-body-scene/1", "name": "n", "step": 0.1, "bodies": [] }""", "scene.json: \"duration\" or \"steps\" is missing")]

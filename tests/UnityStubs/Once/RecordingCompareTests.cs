@@ -46,7 +46,8 @@ namespace RigidBodyDynamics.Scripts.Tests.Headless
             Assert.That(output, Does.Contain("step 51"));
         }
 
-        private static string Compare(string recording, out int exitCode)
+        /// <summary>What the command line says of a recording.</summary>
+        internal static string Compare(string recording, out int exitCode)
         {
             ProcessStartInfo start = new ProcessStartInfo("dotnet") { RedirectStandardOutput = true, WorkingDirectory = World.Folder };
             foreach (string argument in new[] { Path.Combine(TestContext.CurrentContext.TestDirectory, "MyRigidbody.Lab.dll"), "compare", recording })

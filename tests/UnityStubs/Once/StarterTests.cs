@@ -18,7 +18,8 @@ namespace RigidBodyDynamics.Scripts.Tests.Headless
     {
         private static readonly string Given = File.ReadAllText(SceneLoader.InProject("Assets/MyRigidbodyStarter/MyRigidbody.cs"));
 
-        private static string Right => Filled(
+        /// <summary>A script that takes the five steps as the sheet has them.</summary>
+        internal static string Right => Filled(
             "v += force / mass * dt;",
             "Matrix4x4 R = Matrix4x4.Rotate(transform.rotation); w += dt * (R * I_ref * R.transpose).inverse.MultiplyVector(torque);",
             "transform.position += v * dt;",

@@ -110,6 +110,10 @@ namespace RigidBodyDynamics.Scripts
             _body.WakeUp();
         }
 
+        /// <summary>Pose and velocity of the start.</summary>
+        internal BodyState StartState() =>
+            new BodyState(_startPosition.Double(), _startRotation.Double(), startVelocity.Double(), startSpin.Double());
+
         /// <summary>Starts again and records from there, under a name that a file may have.</summary>
         public void Record(string fileName)
         {

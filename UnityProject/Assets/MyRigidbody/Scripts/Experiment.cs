@@ -13,6 +13,7 @@ namespace RigidBodyDynamics.Scripts
         private const float Slow = 0.1f;
         private readonly List<MyRigidbody> _mine = new List<MyRigidbody>();
         private readonly List<DefaultRigidbody> _theirs = new List<DefaultRigidbody>();
+        private readonly List<StudentBody> _students = new List<StudentBody>();
         private bool _isPaused, _isSlow, _hasGathered;
 
         /// <summary>The bodies moved by the library, in the order of the scene's hierarchy. To be asked from Start on.</summary>
@@ -35,6 +36,16 @@ namespace RigidBodyDynamics.Scripts
             }
         }
 
+        /// <summary>The bodies moved by a student's own script, in the order of the scene's hierarchy. To be asked from Start on.</summary>
+        public IReadOnlyList<StudentBody> Students
+        {
+            get
+            {
+                Gather();
+                return _students;
+            }
+        }
+
         /// <summary>Fixed steps since the start.</summary>
         public int Steps { get; private set; }
 
@@ -49,6 +60,8 @@ namespace RigidBodyDynamics.Scripts
             {
                 _isPaused = value;
                 SetTimeScale();
+                foreach (StudentBody body in _students)
+                    body.Hold(value);
             }
         }
 
@@ -63,8 +76,8 @@ namespace RigidBodyDynamics.Scripts
             }
         }
 
-        /// <summary>True while the engine's bodies are recorded.</summary>
-        public bool IsRecording => _theirs.Exists(body => body.Recording != null);
+        /// <summary>True while the engine's bodies and the students' are recorded.</summary>
+        public bool IsRecording => _theirs.Exists(body => body.Recording != null) || _students.Exists(body => body.Recording != null);
 
         /// <summary>Where the last recording was written.</summary>
         public string LastRecording { get; private set; }
@@ -73,7 +86,18 @@ namespace RigidBodyDynamics.Scripts
 
         private void FixedUpdate() => Steps++;
 
-        private void OnDisable() => Time.timeScale = 1;
+        private void LateUpdate()
+        {
+            foreach (StudentBody body in Students)
+                body.Look();
+        }
+
+        private void OnDisable()
+        {
+            Time.timeScale = 1;
+            foreach (StudentBody body in _students)
+                body.Hold(false);
+        }
 
         private void OnApplicationFocus(bool hasFocus)
         {
@@ -81,7 +105,7 @@ namespace RigidBodyDynamics.Scripts
                 LabInput.LetGo();
         }
 
-        /// <summary>One fixed step of all bodies, those of the engine too; pauses before it.</summary>
+        /// <summary>One fixed step of all bodies, those of the engine too; pauses before it. A student's script has the next frame.</summary>
         public void StepOnce()
         {
             IsPaused = true;
@@ -97,6 +121,9 @@ namespace RigidBodyDynamics.Scripts
                     body.Step();
             }
 
+            foreach (StudentBody body in Students)
+                body.StepOnce();
+
             EngineVersions.StepPhysics();
             Steps++;
         }
@@ -110,16 +137,22 @@ namespace RigidBodyDynamics.Scripts
             foreach (DefaultRigidbody body in Theirs)
                 body.StartAgain();
 
+            foreach (StudentBody body in Students)
+                body.StartAgain();
+
             Steps = 0;
         }
 
-        /// <summary>Starts again and records the engine's bodies from there.</summary>
+        /// <summary>Starts again and records the engine's bodies and the students' from there.</summary>
         public void Record()
         {
             StartAgain();
             string now = System.DateTime.Now.ToString("yyyyMMdd-HHmmss", CultureInfo.InvariantCulture);
             foreach (DefaultRigidbody body in Theirs)
                 body.Record(FileName(body.name) + "-" + now);
+
+            foreach (StudentBody body in _students.FindAll(body => body.IsThere))
+                body.Record(FileName(body.Name) + "-script-" + now);
         }
 
         /// <summary>Ends the recordings and writes them; the console and <see cref="LastRecording"/> say where.</summary>
@@ -129,20 +162,25 @@ namespace RigidBodyDynamics.Scripts
         public void EndRecording(string folder)
         {
             foreach (DefaultRigidbody body in Theirs)
-            {
-                Recording recording = body.EndRecording();
-                if (recording == null || recording.Steps == 0)
-                    continue;
+                Write(body.EndRecording(), folder);
 
-                try
-                {
-                    LastRecording = recording.Write(folder);
-                    Debug.Log("recorded: " + LastRecording, this);
-                }
-                catch (System.Exception refused) when (refused is IOException || refused is System.UnauthorizedAccessException)
-                {
-                    Debug.LogError("The recording could not be written: " + refused.Message, this);
-                }
+            foreach (StudentBody body in Students)
+                Write(body.EndRecording(), folder);
+        }
+
+        private void Write(Recording recording, string folder)
+        {
+            if (recording == null || recording.Steps == 0)
+                return;
+
+            try
+            {
+                LastRecording = recording.Write(folder);
+                Debug.Log("recorded: " + LastRecording, this);
+            }
+            catch (System.Exception refused) when (refused is IOException || refused is System.UnauthorizedAccessException)
+            {
+                Debug.LogError("The recording could not be written: " + refused.Message, this);
             }
         }
 
@@ -157,6 +195,18 @@ namespace RigidBodyDynamics.Scripts
             {
                 _mine.AddRange(root.GetComponentsInChildren<MyRigidbody>());
                 _theirs.AddRange(root.GetComponentsInChildren<DefaultRigidbody>());
+                foreach (MonoBehaviour script in root.GetComponentsInChildren<MonoBehaviour>())
+                {
+                    if (StudentBody.Is(script))
+                        _students.Add(new StudentBody(script));
+                }
+            }
+
+            foreach (StudentBody body in _students)
+            {
+                body.Mine = _mine.Find(mine => StudentBody.SizeOf(mine.transform) == body.Size);
+                body.Theirs = _theirs.Find(theirs => StudentBody.SizeOf(theirs.transform) == body.Size);
+                body.Hold(_isPaused);
             }
         }
 

@@ -19,6 +19,9 @@ namespace RigidBodyDynamics.Scripts
         /// <summary>True while a key is held in whatever way.</summary>
         public static bool IsHeld(LabKey key) => OnScreen[(int)key] || InEvents[(int)key] || IsDown((int)key);
 
+        /// <summary>True while a key is held on the keyboard, as a script finds it that asks Unity's Input.</summary>
+        internal static bool IsOnKeyboard(LabKey key) => IsDown((int)key);
+
         /// <summary>Says whether a button of the panel is held.</summary>
         public static void HoldOnScreen(LabKey key, bool isHeld) => OnScreen[(int)key] = isHeld;
 

@@ -125,7 +125,8 @@ namespace RigidBodyDynamics.Scripts
         /// <summary>What its motion consists of, what was left out and why: made of the plan that runs.</summary>
         public string Explain() => IsReady ? new Explanation(Body.Plan).ToString() : string.Empty;
 
-        private BodyState StartState() =>
+        /// <summary>Pose and velocity of the start.</summary>
+        internal BodyState StartState() =>
             new BodyState(_startPosition.Double(), _startRotation.Double(), startVelocity.Double(), startSpin.Double());
 
         private void Build(BodyState start)

@@ -56,6 +56,9 @@ namespace RigidBodyDynamics.Scripts
             foreach (DefaultRigidbody body in _experiment.Theirs)
                 About(body);
 
+            foreach (StudentBody body in _experiment.Students)
+                About(body);
+
             GUILayout.EndScrollView();
             GUILayout.EndArea();
         }
@@ -72,6 +75,12 @@ namespace RigidBodyDynamics.Scripts
 
             foreach (DefaultRigidbody body in _experiment.Theirs)
                 Name(eye, body, scale);
+
+            foreach (StudentBody body in _experiment.Students)
+            {
+                if (body.IsThere)
+                    Name(eye, body.Transform, scale);
+            }
         }
 
         private static void Name(Camera eye, Component body, float scale)
@@ -110,7 +119,7 @@ namespace RigidBodyDynamics.Scripts
             GUILayout.EndHorizontal();
             GUILayout.BeginHorizontal();
             _experiment.IsSlow = GUILayout.Toggle(_experiment.IsSlow, "slow 慢动作");
-            if (_experiment.Theirs.Count > 0 && GUILayout.Button(_experiment.IsRecording ? "stop 停止录制" : "record 录制"))
+            if (_experiment.Theirs.Count + _experiment.Students.Count > 0 && GUILayout.Button(_experiment.IsRecording ? "stop 停止录制" : "record 录制"))
                 Record();
             GUILayout.EndHorizontal();
             if (!string.IsNullOrEmpty(_experiment.LastRecording))
@@ -173,6 +182,27 @@ namespace RigidBodyDynamics.Scripts
                 _experiment.StartAgain();
         }
 
+        private void About(StudentBody body)
+        {
+            if (!body.IsThere)
+                return;
+
+            Title(body.Name);
+            GUILayout.Label("your script, by differences of the pose\n你的脚本，由位姿之差求得");
+            Speeds(body.State);
+            if (_experiment.Steps > 0)
+                Row("frames a step 每步帧数", Text((double)body.Frames / _experiment.Steps, "0.00"));
+
+            if (body.Mine != null && body.Mine.IsReady)
+                Apart(body, body.Mine.name, body.Mine.StartState(), body.Mine.State);
+
+            if (body.Theirs != null)
+                Apart(body, body.Theirs.name, body.Theirs.StartState(), body.Theirs.State);
+        }
+
+        private static void Apart(StudentBody body, string other, BodyState start, BodyState now) =>
+            Row("to " + other + " 相差", Text(body.DistanceTo(start, now), "0.000") + " m, " + Angle(body.AngleTo(start, now)));
+
         private static bool Damping(DefaultRigidbody body)
         {
             bool isLabs = body.drag == 1;
@@ -193,12 +223,17 @@ namespace RigidBodyDynamics.Scripts
 
         private static void Motion(BodyState state, MassProperties mass)
         {
-            Row("speed 速度", Text(state.Velocity.Length, "0.00") + " m/s");
-            Row("spin 角速度", Text(state.AngularVelocity.Length, "0.00") + " rad/s");
+            Speeds(state);
             Row("energy 动能", Text(Conserved.KineticEnergy(state, mass), "0.000") + " J");
             Vector3d momentum = Conserved.AngularMomentum(state, mass);
             Row("abs(L) 角动量", Text(momentum.Length, "0.0000") + " kg m²/s");
             Row("L", Text(momentum.X, "0.000") + "  " + Text(momentum.Y, "0.000") + "  " + Text(momentum.Z, "0.000"));
+        }
+
+        private static void Speeds(BodyState state)
+        {
+            Row("speed 速度", Text(state.Velocity.Length, "0.00") + " m/s");
+            Row("spin 角速度", Text(state.AngularVelocity.Length, "0.00") + " rad/s");
         }
 
         private static void Title(string name)

@@ -7,8 +7,9 @@ using UnityEngine;
 namespace RigidBodyDynamics.Scripts
 {
     /// <summary>
-    /// The motion of a Rigidbody, step by step: NAME.json (schema free-rigid-body/1) has all that went in, NAME.csv all that
-    /// came out. The command line's <c>compare NAME.json</c> says how far its UnityRigidbody is from it.
+    /// The motion of a body, step by step: NAME.json has all that went in, NAME.csv all that came out. Of a Rigidbody the schema is
+    /// free-rigid-body/1, and the command line's <c>compare NAME.json</c> says how far its UnityRigidbody is from it; of a student's
+    /// script it is lab-script/1, and <c>compare</c> says how far the lab's own rule is from it.
     /// </summary>
     public sealed class Recording
     {
@@ -26,6 +27,13 @@ namespace RigidBodyDynamics.Scripts
         private double _time;
 
         internal Recording(string name, Rigidbody body, float dt)
+        {
+            _name = name;
+            _dt = dt;
+            Describe(body);
+        }
+
+        internal Recording(string name, StudentBody body, float dt)
         {
             _name = name;
             _dt = dt;
@@ -98,6 +106,24 @@ namespace RigidBodyDynamics.Scripts
             Say("angularVelocity", List(body.angularVelocity));
             Say("wakeCounter", Number(WakeCounter));
         }
+
+        // the sheet's mass and damping: nobody but the script itself knows what it counts with
+        private void Describe(StudentBody body)
+        {
+            Quaternion q = body.Transform.rotation;
+            _head.Append("{\n");
+            Say("schema", "\"lab-script/1\"");
+            Say("name", Quoted(_name));
+            Say("about", Quoted("a script recorded with Unity " + Application.unityVersion + ", a step a frame"));
+            Say("mass", "1");
+            Say("boxVertices", List(Positive(body.Size)));
+            Say("decayPerStep", "0.98");
+            Say("position", List(body.Transform.position));
+            Say("rotation", List(q.x, q.y, q.z, q.w));
+        }
+
+        // a mirrored object has a scale below zero, and the same box
+        private static Vector3 Positive(Vector3 v) => new Vector3(Mathf.Abs(v.x), Mathf.Abs(v.y), Mathf.Abs(v.z));
 
         private void Say(string what, string value) => _head.Append("  \"").Append(what).Append("\": ").Append(value).Append(",\n");
 
