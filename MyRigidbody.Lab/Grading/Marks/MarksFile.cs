@@ -14,7 +14,7 @@ internal sealed record MarksFile(Scheme Scheme, IReadOnlyList<Decision> Decision
     /// <summary>What holds without a file.</summary>
     public static MarksFile Default { get; } = new(Scheme.Default, []);
 
-    private static readonly Step[] Settled = [.. Verdict.FiveSteps, Step.Given, Step.Package, Step.Name];
+    private static readonly Step[] Settled = [.. Verdict.FiveSteps, Step.Given, Step.Code, Step.Package, Step.Name];
 
     /// <summary>Reads it; whatever is wrong is one line with file and place.</summary>
     public static MarksFile Read(string path) => JsonFile.Read(path, root =>

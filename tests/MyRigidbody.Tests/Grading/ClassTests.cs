@@ -71,6 +71,16 @@ public sealed class ClassTests
     }
 
     [Test]
+    public void Every_line_that_is_offered_settles_its_doubt([Values] Step step)
+    {
+        PutScript("210840007_学生一", $"// doubtful: {step} what-is-in-doubt");
+
+        IReadOnlyList<Answer> answers = Question.Of(Grade()).Single().Answers;
+
+        Assert.That(answers.Select(answer => Grade(Marks(answer.Line)).Submissions[0].Judgement.Verdict.Outcome), Is.EqualTo(new[] { Outcome.Right, Outcome.Wrong }));
+    }
+
+    [Test]
     public void Decision_is_not_taken_for_a_script_that_is_handed_in_later()
     {
         PutScript("210840007_学生一", "// doubtful: orientation exact-turn");
