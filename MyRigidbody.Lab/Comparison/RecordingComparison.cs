@@ -56,7 +56,7 @@ internal sealed class RecordingComparison
         using Files files = new(folder, folder, file.Inputs);
         files.Write("trajectory.csv", to => CompareCommand.WriteTrajectory(new Simulation(file.Scene), file.Path, to));
         files.Write("summary.json", to => File.WriteAllText(to, found.Json(file.Scene)));
-        Motion motion = Motion.Of(file.Scene, Words.All["recorded"].With(file.Scene.Bodies[0].Name).En, found._course);
+        Motion motion = Motion.Of(file, Words.All["recorded"].With(file.Scene.Bodies[0].Name).En, found._course);
         foreach (string format in new[] { ".png", ".svg" })
         {
             files.Write("apart" + format, to => Pictures.Save(ComparePictures.Apart($"{file.Scene.Name}: how far {file.Scene.Bodies[0].Integrator} is from the recording", found._course), to));

@@ -67,11 +67,13 @@ internal sealed class Motion
     }
 
     /// <summary>A recorded body and ours beside it; the moments are after every step.</summary>
-    public static Motion Of(Scene scene, string recorded, IReadOnlyList<Compared> course)
+    public static Motion Of(SceneFile file, string recorded, IReadOnlyList<Compared> course)
     {
+        Scene scene = file.Scene;
         Motion motion = new(scene.Steps, 2);
         BodyDescription body = scene.Bodies[0];
-        motion.Add(new Track(body.Integrator, body.Mass, body.Mass), new Track(recorded, body.Mass, body.Mass), course);
+        MassProperties shape = Shape(file, body);
+        motion.Add(new Track(body.Integrator, body.Mass, shape), new Track(recorded, body.Mass, shape), course);
         motion.Thin(course);
         motion.Held = HeldBy([body], scene.Steps);
         return motion;

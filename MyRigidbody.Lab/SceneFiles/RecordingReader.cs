@@ -54,7 +54,8 @@ internal static class RecordingReader
         root.Check(body);
         Scene scene = new(name, about, steps, [body]);
         Recording recording = Recording.Beside(root.File, count) with { IsOfScript = true };
-        return new SceneFile(root.File, scene, new Dictionary<string, ManyBodies>(), new Dictionary<string, MassProperties>(), recording);
+        Dictionary<string, MassProperties> solidBoxes = new() { [name] = Solids.Box(mass, edges) };
+        return new SceneFile(root.File, scene, new Dictionary<string, ManyBodies>(), solidBoxes, recording);
     }
 
     private static BodyDescription Body(Fields fields, string name)
