@@ -38,7 +38,9 @@ internal sealed record Question(string Kind, Graded About, Word What, string Exp
 
     private static IEnumerable<Question> Doubts(Graded one)
     {
-        foreach (IGrouping<Step, Finding> doubts in one.Judgement.Verdict.Findings.Where(finding => finding.IsDoubtful).GroupBy(finding => finding.Step))
+        // a script that has not run is asked about below: points help it, and "its code is right" does not
+        IEnumerable<Finding> doubtful = one.Judgement.Verdict.Findings.Where(finding => finding.IsDoubtful && !(finding.Step == Step.Code && HasNotRun(one)));
+        foreach (IGrouping<Step, Finding> doubts in doubtful.GroupBy(finding => finding.Step))
         {
             Finding first = doubts.First();
             IReadOnlyList<Answer> answers = one.Judgement.Candidates.Count > 0
@@ -49,10 +51,13 @@ internal sealed record Question(string Kind, Graded About, Word What, string Exp
     }
 
     private static IEnumerable<Question> NotRun(Graded one) =>
-        one.Judgement.Verdict.Outcome == Outcome.Refused || Verdict.FiveSteps.All(step => one.Judgement.Verdict[step] == Mark.Unknown)
+        HasNotRun(one)
             ? one.Marked.IsSet ? [] : one.Judgement.Verdict.Findings.Take(1).Select(finding => new Question(
                 "run", one, new Word(finding.English, finding.Chinese), finding.Expected, finding.Found, [new Answer(GradeWords.All["answer.points"], Line(one, "points", 0))]))
             : [];
+
+    private static bool HasNotRun(Graded one) =>
+        one.Judgement.Verdict.Outcome == Outcome.Refused || Verdict.FiveSteps.All(step => one.Judgement.Verdict[step] == Mark.Unknown);
 
     private static IEnumerable<Question> Twice(IEnumerable<Graded> group) => group.Select(one => new Question(
         "twice",

@@ -81,6 +81,19 @@ public sealed class ClassTests
     }
 
     [Test]
+    public void Script_that_the_checker_could_not_run_is_asked_about_once_and_gets_the_points_that_are_given()
+    {
+        PutScript("210840007_学生一", "// unknown: code not-in-the-stand-in");
+
+        Question question = Question.Of(Grade()).Single();
+        Class settled = Grade(Marks(question.Answers.Single().Line.Replace("\"points\":0", "\"points\":70", StringComparison.Ordinal)));
+
+        Assert.That(question.Kind, Is.EqualTo("run"));
+        Assert.That(settled.Submissions.Single().Marked.Total, Is.EqualTo(70));
+        Assert.That(Question.Of(settled), Is.Empty);
+    }
+
+    [Test]
     public void Decision_is_not_taken_for_a_script_that_is_handed_in_later()
     {
         PutScript("210840007_学生一", "// doubtful: orientation exact-turn");

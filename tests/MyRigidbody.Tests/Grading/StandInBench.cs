@@ -27,7 +27,7 @@ internal sealed partial class StandInBench : IBench
 
     public IScriptJudge NewJudge() => new Judge(this);
 
-    [GeneratedRegex(@"// (right|wrong|doubtful|missing|refused): (\w+) ?(\S*)")]
+    [GeneratedRegex(@"// (right|wrong|doubtful|missing|refused|unknown): (\w+) ?(\S*)")]
     private static partial Regex Said();
 
     private sealed class Judge(StandInBench bench) : IScriptJudge
@@ -47,7 +47,10 @@ internal sealed partial class StandInBench : IBench
                 Finding finding = new Finding(step, said.Groups[3].Value, "k = ½ Δt", "k = 1.00 Δt", $"Step {step}: {said.Groups[3].Value}.", $"{step}：{said.Groups[3].Value}。")
                     .At(text[..said.Index].Count(letter => letter == '\n') + 1).From("box", 3);
                 refused |= said.Groups[1].Value == "refused";
-                findings.Add(said.Groups[1].Value == "doubtful" ? finding.ForInstructor() : finding);
+                findings.Add(said.Groups[1].Value is "doubtful" or "unknown" ? finding.ForInstructor() : finding);
+                if (said.Groups[1].Value == "unknown")
+                    marks = [];
+
                 if (!refused)
                     marks[step] = Enum.Parse<Mark>(said.Groups[1].Value, ignoreCase: true);
             }
