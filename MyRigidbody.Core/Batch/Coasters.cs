@@ -68,7 +68,7 @@ namespace RigidBodyDynamics
         {
             for (int group = from / _width; group < to / _width; group++)
             {
-                if (_next[group] <= step)
+                if (_next[group] != Never && _next[group] <= step)
                     Leap(stepper, group, step);
             }
 

@@ -11,6 +11,9 @@ internal static class RunCommand
 {
     private const long StepsAtFirst = 50_000, MillisecondsOfPiece = 50;
 
+    // a run whose first second shows that it would take longer than a year is a slip in the length of the step
+    private const double MillisecondsTillEstimate = 1000, MostMilliseconds = 3.15e10;
+
     // a reader who waits is served, and one who has left is noticed
     private const long MillisecondsBetweenFlushes = 200;
 
@@ -111,7 +114,7 @@ internal static class RunCommand
 
         Terminal.WithProgress("run " + path, report =>
         {
-            long flushed = Environment.TickCount64;
+            long started = Environment.TickCount64, flushed = started;
             long next = every == 0 ? count : Math.Min(every, count), piece = StepsAtFirst;
             while (simulation.StepsDone < count)
             {
@@ -120,6 +123,7 @@ internal static class RunCommand
                 // bodies that coast take 2⁶³ steps as quickly as one
                 piece = Environment.TickCount64 - began < MillisecondsOfPiece ? Math.Min(piece, long.MaxValue / 2) * 2 : Math.Max(piece / 2, StepsAtFirst);
                 report((double)simulation.StepsDone / count);
+                MustEnd(path, Environment.TickCount64 - started, simulation.StepsDone, count);
                 if (simulation.StepsDone == next)
                 {
                     simulation.MustBeFinite(path);
@@ -134,6 +138,13 @@ internal static class RunCommand
                 }
             }
         });
+    }
+
+    private static void MustEnd(string path, double milliseconds, long done, long count)
+    {
+        double all = milliseconds * count / done;
+        if (milliseconds > MillisecondsTillEstimate && all > MostMilliseconds)
+            throw new InputException(FormattableString.Invariant($"{path}: steps: {count} of them would take {all / MostMilliseconds:g2} years here"));
     }
 
     /// <summary>A row of a table is written only if all of it is finite: states are, and a mass may be too large for their energy.</summary>

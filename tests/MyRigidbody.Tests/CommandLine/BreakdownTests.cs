@@ -94,6 +94,16 @@ public sealed class BreakdownTests
         Assert.That(run.Output.Split('\n')[1], Does.StartWith($"a,{steps},"));
     }
 
+    [Test]
+    public void Steps_that_would_take_years_are_refused_and_nothing_is_written()
+    {
+        using TemporaryFolder folder = new();
+        LabProcess run = LabProcess.Run(folder.Path, "run", Repository.Root.File("scenes/lab.json"), "--step", "1e-17", "--every", "0", "--out", "a.csv");
+        Assert.That(run.ExitCode, Is.EqualTo(2));
+        Assert.That(run.Error, Does.Match("^error: .*lab\\.json: steps: 1000000000000000000 of them would take [0-9.e+]+ years here\n$"));
+        Assert.That(Directory.GetFiles(folder.Path), Is.Empty);
+    }
+
     private static void Refused(string[] command, string scene, int exitCode, string error)
     {
         using TemporaryFolder folder = new();
