@@ -1,5 +1,4 @@
 #if NET
-using System;
 using System.Collections.Generic;
 using Lanes = System.Numerics.Vector<double>;
 

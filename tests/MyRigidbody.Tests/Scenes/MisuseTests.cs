@@ -43,11 +43,11 @@ public sealed class MisuseTests
     [TestCaseSource(typeof(Scenery), nameof(Scenery.Integrators))]
     public void Effect_that_steps_its_own_simulation_is_named(string rule)
     {
-        foreach (Action<Simulation> misuse in new Action<Simulation>[] { s => s.Step(), s => s.Save(), s => s.Restore(saved!) })
+        foreach (Action<Simulation> misuse in new Action<Simulation>[] { s => s.Step(), s => s.Save(), s => s.Restore(_saved!) })
         {
             Holder holder = new();
             Simulation simulation = new(TimeSteps.Every(0.02), Scenery.Body(rule, "b").With(new Calling(holder), 0.2));
-            saved = simulation.Save();
+            _saved = simulation.Save();
             holder.Call = () => misuse(simulation);
             BrokenEffectException error = Assert.Throws<BrokenEffectException>(() => simulation.Step(100))!;
             Assert.That((error.Body, simulation.StepsDone), Is.EqualTo(("b", 10L)));
@@ -125,7 +125,7 @@ public sealed class MisuseTests
     }
 
     [ThreadStatic]
-    private static SavedSimulation? saved;
+    private static SavedSimulation? _saved;
 
     private sealed class Holder
     {

@@ -24,7 +24,7 @@ public sealed class StateOverflowTests
     private static IEnumerable<object[]> Cases =>
         from rule in Scenery.Integrators
         from act in Acts.Keys
-        // PhysX turns nothing faster than 7 rad/s
+            // PhysX turns nothing faster than 7 rad/s
         where !(rule.StartsWith("Unity", StringComparison.Ordinal) && act.StartsWith("a torque", StringComparison.Ordinal))
         select new object[] { rule, act };
 
