@@ -17,7 +17,7 @@ namespace RigidBodyDynamics
 
         public Vector3d AngularVelocity => Orientation.Rotate(_axes.ToBody(Vector3d.Scale(_inverseMoments, _m)));
 
-        public bool IsFinite => _q.IsFinite && Guard.IsFinite(_m.LengthSquared);
+        public bool IsFinite => _q.IsFinite && Guard.IsFinite(Vector3d.Scale(_inverseMoments, _m).LengthSquared);
 
         public bool HasClosedForm => false;
 

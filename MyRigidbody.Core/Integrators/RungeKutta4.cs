@@ -28,7 +28,7 @@ namespace RigidBodyDynamics
 
         public bool IsAsleep => false;
 
-        public bool IsFinite => _x.IsFinite && _q.IsFinite && Guard.IsFinite(_v.LengthSquared + _l.LengthSquared);
+        public bool IsFinite => State.HasFiniteSquares;
 
         public bool HasClosedForm => !_canMove && !_canTurn;
 

@@ -100,7 +100,7 @@ public sealed class BreakdownTests
         using TemporaryFolder folder = new();
         LabProcess run = LabProcess.Run(folder.Path, "run", Repository.Root.File("scenes/lab.json"), "--step", "1e-17", "--every", "0", "--out", "a.csv");
         Assert.That(run.ExitCode, Is.EqualTo(2));
-        Assert.That(run.Error, Does.Match("^error: .*lab\\.json: steps: 1000000000000000000 of them would take [0-9.e+]+ years here\n$"));
+        Assert.That(run.Error, Does.Match("^error: .*lab\\.json: steps: [0-9]+ of them would take [0-9.e+]+ years here\n$"));
         Assert.That(Directory.GetFiles(folder.Path), Is.Empty);
     }
 

@@ -38,7 +38,7 @@ public sealed partial class WordsTests
         string[] inScripts = [.. Scripts.SelectMany(path => ScriptWord().Matches(Tree.Text(path))).Concat(DataWord().Matches(Template)).Select(match => match.Groups[1].Value)];
         string sources = string.Concat(Tree.Files("MyRigidbody.Lab/Report", "*.cs").Select(Tree.Text)) + Tree.Text("MyRigidbody.Lab/Comparison/RecordingComparison.cs");
         string[] inTemplate = [.. TemplateWord().Matches(Template).Concat(SourceWord().Matches(sources)).Select(match => match.Groups[1].Value)];
-        string[] sections = ["replay", "plots", "rules", "recording", "plan", "cost", "facts"];
+        string[] sections = ["replay", "plots", "rules", "recording", "plan", "cost", "facts", "check"];
 
         // keys are asked for by their own names
         Assert.That(inScripts.Where(name => name != "key.").Distinct(), Is.EquivalentTo(Words.OfScripts.Keys.Where(name => !name.StartsWith("key.", StringComparison.Ordinal))));

@@ -14,7 +14,7 @@ public sealed class SchemaTests
     [
         "unique", "sum of the other two", "must be later than from", "is for ", "where canMove", "where canTurn", "scaled to it",
         "found 0", "as many as there are points", "must be the sum", "must not stand beside points", "must not take more",
-        "above zero, found (", "Infinity", "at most 1e18",
+        "above zero, found (", "Infinity", "at most 1e18", "finite kinetic energy",
     ];
 
     private static readonly JsonSchema Schema = JsonSchema.FromFileAsync(Path.Combine(Gallery.Folder, "rigid-body-scene-1.schema.json")).Result;

@@ -32,7 +32,11 @@ namespace RigidBodyDynamics.Engine
         internal static string Text(string label, string text)
         {
             Control("text", label);
-            return Typed.Remove(label, out string typed) ? typed : text;
+            if (!Typed.TryGetValue(label, out string typed))
+                return text;
+
+            Typed.Remove(label);
+            return typed;
         }
 
         /// <summary>Draws an inspector.</summary>
