@@ -18,7 +18,7 @@ namespace RigidBodyDynamics
         // L/I₁ and what is left along the axis: ω has no other part across it than L
         public Vector3d AngularVelocity => _axes.ToWorld(1 / _across * _momentum + _q.Rotate(new Vector3d(0, 0, _slip * _w3)));
 
-        public bool IsFinite => _q.IsFinite && Guard.IsFinite(_momentum.LengthSquared + _w3 * _w3);
+        public bool IsFinite => _q.IsFinite && Guard.IsFinite((1 / _across * _momentum).LengthSquared + _w3 * _w3);
 
         public bool HasClosedForm => true;
 

@@ -15,6 +15,9 @@ internal sealed class Child : IDisposable
     // a child's own heap; what it takes beside that is counted from outside
     private const string HeapBytes = "0x18000000";
 
+    private static readonly PosixSignal[] EndingSignals = [PosixSignal.SIGINT, PosixSignal.SIGTERM, PosixSignal.SIGHUP];
+
+    private readonly PosixSignalRegistration[] _signals;
     private readonly Process _process;
     private readonly DirectoryInfo _folder;
     private readonly StringBuilder _error = new();
@@ -26,6 +29,8 @@ internal sealed class Child : IDisposable
         _process.ErrorDataReceived += (_, line) => Note(line.Data);
         _process.BeginErrorReadLine();
         AppDomain.CurrentDomain.ProcessExit += End;
+        // a signal ends this process without a word, and may have ended the child, which would take its folder away, as well
+        _signals = [.. EndingSignals.Select(signal => PosixSignalRegistration.Create(signal, _ => End()))];
         Input = new BinaryWriter(_process.StandardInput.BaseStream);
         Output = new BinaryReader(new BufferedStream(_process.StandardOutput.BaseStream, 1 << 16));
     }
@@ -127,13 +132,18 @@ internal sealed class Child : IDisposable
     public void Dispose()
     {
         AppDomain.CurrentDomain.ProcessExit -= End;
+        foreach (PosixSignalRegistration signal in _signals)
+            signal.Dispose();
+
         Kill();
         _process.WaitForExit();
         _process.Dispose();
         TakeAwayFolder();
     }
 
-    private void End(object? sender, EventArgs e)
+    private void End(object? sender, EventArgs e) => End();
+
+    private void End()
     {
         Kill();
         TakeAwayFolder();

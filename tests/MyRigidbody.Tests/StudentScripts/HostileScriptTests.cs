@@ -1,7 +1,9 @@
+using System.Diagnostics;
 using System.Text;
 using NUnit.Framework;
 using RigidBodyDynamics.Judging;
 using RigidBodyDynamics.StudentScripts;
+using RigidBodyDynamics.Tests.CommandLine;
 
 namespace RigidBodyDynamics.Tests.StudentScripts;
 
@@ -170,18 +172,40 @@ public sealed class HostileScriptTests
     }
 
     [Test]
-    public void No_child_and_no_folder_is_left_behind()
+    public void No_folder_is_left_behind()
     {
-        string before = string.Join('|', Folders());
-        using (ScriptRunner own = new())
-        {
-            own.Run([new ScriptFile("MyRigidbody.cs", Encoding.UTF8.GetBytes(Runner.With()))]);
-        }
+        using TemporaryFolder folder = new();
+        File.WriteAllText(folder.File("MyRigidbody.cs"), Runner.With());
 
-        Assert.That(Folders().Except(before.Split('|')).Where(folder => !Directory.Exists(folder) || !Directory.EnumerateFileSystemEntries(folder).Any()), Is.All.Not.Empty);
+        // every process has its temporary files in a folder of its own here
+        LabProcess check = LabProcess.Run(folder.Path, new() { ["TMPDIR"] = folder.Path, ["TEMP"] = folder.Path, ["TMP"] = folder.Path }, ["check", "MyRigidbody.cs"]);
+
+        Assert.That(check.Output, Is.Not.Empty, check.Error);
+        Assert.That(Directory.GetDirectories(folder.Path), Is.Empty);
     }
 
-    private static IEnumerable<string> Folders() => Directory.EnumerateDirectories(Path.GetTempPath(), "script-*");
+    // timeout of GNU, as an impatient instructor's Ctrl-C, sends the signal to the child too
+    [TestCase("INT")]
+    [TestCase("TERM")]
+    [Platform("Linux")]
+    public void No_folder_is_left_behind_by_a_signal(string signal)
+    {
+        using TemporaryFolder folder = new();
+        File.WriteAllText(folder.File("MyRigidbody.cs"), Runner.With());
+        ProcessStartInfo start = new("timeout", ["-s", signal, "8", "dotnet", Path.Combine(AppContext.BaseDirectory, "MyRigidbody.Lab.dll"), "check", "--watch", "MyRigidbody.cs"])
+        {
+            WorkingDirectory = folder.Path,
+            RedirectStandardOutput = true,
+            RedirectStandardError = true,
+        };
+        start.Environment["TMPDIR"] = folder.Path;
+        using Process watching = Process.Start(start)!;
+        string output = watching.StandardOutput.ReadToEnd();
+        watching.WaitForExit();
+
+        Assert.That(output, Is.Not.Empty);
+        Assert.That(Directory.GetDirectories(folder.Path), Is.Empty);
+    }
 
     private static IEnumerable<string> Names(int list) =>
         list == 0 ? Forbidden.Select(script => script.Name) : list == 1 ? Endless.Select(script => script.Name) : Large.Select(script => script.Name);
