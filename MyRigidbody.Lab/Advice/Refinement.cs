@@ -8,6 +8,9 @@ internal sealed class Refinement
     private const int LeastBetweenCuts = 4, MostIntervals = 1 << 19;
     private const double LongestInterval = 1, NearlyStill = 1e-9, LastBit = 1.0 / (1L << 52);
 
+    // two ways of computing a position part by some last bits of it even where either stands still
+    private const double BitsOfPosition = 4;
+
     // of an order below this a rule is not waited for, where another may be better
     private const double SlowestGain = 6;
 
@@ -128,7 +131,7 @@ internal sealed class Refinement
 
     private static Vector3d Nudged(Vector3d v, double e) => new Vector3d(v.X * (1 + e), v.Y * (1 - e), v.Z * (1 + e));
 
-    /// <summary>How far a path is at most from the states of one that has as many or more, and at least the last bit of what is compared.</summary>
+    /// <summary>How far a path is at most from the states of one that has as many or more, and at least some last bits of what is compared.</summary>
     private static double Apart(MotionPath? path, MotionPath? other)
     {
         if (path == null || other == null)
@@ -142,7 +145,7 @@ internal sealed class Refinement
             if (!(apart < double.PositiveInfinity))
                 return double.PositiveInfinity;
 
-            largest = Math.Max(largest, Math.Max(apart, 0.5 * LastBit * Math.Max(1, right.Position.Length)));
+            largest = Math.Max(largest, Math.Max(apart, BitsOfPosition * LastBit * Math.Max(1, right.Position.Length)));
         }
 
         return largest;

@@ -1,6 +1,5 @@
 using System.Diagnostics;
 using NUnit.Framework;
-using RigidBodyDynamics.Lab;
 
 namespace RigidBodyDynamics.Tests.CommandLine;
 

@@ -1,6 +1,5 @@
 using NUnit.Framework;
 using RigidBodyDynamics.Lab.Grading.Likeness;
-using RigidBodyDynamics.Lab.Grading.Reading;
 using RigidBodyDynamics.StudentScripts;
 
 namespace RigidBodyDynamics.Tests.Grading;

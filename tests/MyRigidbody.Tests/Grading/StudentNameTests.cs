@@ -1,7 +1,6 @@
 using System.Text;
 using NUnit.Framework;
 using RigidBodyDynamics.Lab;
-using RigidBodyDynamics.Lab.Grading.Reading;
 using RigidBodyDynamics.Lab.Grading.Students;
 using RigidBodyDynamics.StudentScripts;
 

@@ -6,7 +6,6 @@ using NUnit.Framework;
 using RigidBodyDynamics.Lab;
 using RigidBodyDynamics.Lab.Package;
 using RigidBodyDynamics.Tests.CommandLine;
-using RigidBodyDynamics.Tests.Repository;
 
 namespace RigidBodyDynamics.Tests.Package;
 

@@ -1,8 +1,6 @@
 using System.Diagnostics;
-using System.Text;
 using NUnit.Framework;
 using RigidBodyDynamics.Judging;
-using RigidBodyDynamics.StudentScripts;
 using RigidBodyDynamics.Tests.CommandLine;
 
 namespace RigidBodyDynamics.Tests.StudentScripts;
