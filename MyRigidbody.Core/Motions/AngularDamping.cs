@@ -8,6 +8,8 @@ namespace RigidBodyDynamics
         /// <summary>Damping at the given rate c, 1/s.</summary>
         public AngularDamping(double rate) => _rate = Guard.NotNegative(rate, "angularDamping");
 
+        public PushTraits Traits => PushTraits.Turns | PushTraits.ReadsAngularVelocity | PushTraits.IsDamping;
+
         public void AddTo(ref Coasting coasting) => coasting.AngularDampingRate += _rate;
 
         /// <summary>In words.</summary>

@@ -18,6 +18,9 @@ namespace RigidBodyDynamics
             _angular = Factor(angular, "angular");
         }
 
+        public PushTraits Traits =>
+            PushTraits.Moves | PushTraits.Turns | PushTraits.ReadsVelocity | PushTraits.ReadsAngularVelocity | PushTraits.IsDamping | PushTraits.OncePerStep;
+
         public void AddTo(ref Coasting coasting)
         {
             coasting.LinearFactorPerStep *= _linear;

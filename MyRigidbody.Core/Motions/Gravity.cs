@@ -8,6 +8,8 @@ namespace RigidBodyDynamics
         /// <summary>Gravity of the given acceleration, m/s², world axes.</summary>
         public Gravity(Vector3d acceleration) => _acceleration = Guard.Finite(acceleration, "gravity");
 
+        public PushTraits Traits => PushTraits.Moves | PushTraits.HasPotential | PushTraits.IsGravity;
+
         public void AddTo(ref Coasting coasting) => coasting.Acceleration += _acceleration;
 
         /// <summary>In words.</summary>

@@ -10,11 +10,8 @@ namespace RigidBodyDynamics
     /// Both questions are asked of a struct known at compile time, so an effect costs what it computes and one that
     /// is not in the scene costs nothing. Neither may change the effect or allocate.
     /// </remarks>
-    public interface IPush
+    public interface IPush : IEffect
     {
-        /// <summary>What it does to a body and what it needs to know: what is not said here may be left out.</summary>
-        PushTraits Traits { get; }
-
         /// <summary>Adds the force and torque at this instant. Asked by integrators that evaluate.</summary>
         void At(in Instant now, in BodyState body, MassProperties mass, ref Wrench wrench);
 
@@ -29,7 +26,7 @@ namespace RigidBodyDynamics
         void Over(in Instant now, double duration, in BodyState body, MassProperties mass, ref Wrench impulse);
     }
 
-    /// <summary>What a push does and what it reads.</summary>
+    /// <summary>What an effect is, what it does and what it reads.</summary>
     [Flags]
     public enum PushTraits
     {
@@ -62,6 +59,18 @@ namespace RigidBodyDynamics
         /// work. Reads neither time nor a velocity.
         /// </summary>
         HasPotential = 128,
+
+        /// <summary>Is gravity: of a planet, of a field, about a pivot.</summary>
+        IsGravity = 256,
+
+        /// <summary>Is damping: takes the same share of a fast velocity and of a slow one.</summary>
+        IsDamping = 512,
+
+        /// <summary>Is drag: what a medium does to a body that moves through it, wind too.</summary>
+        IsDrag = 1024,
+
+        /// <summary>Acts once at the end of each step, whatever its length: what it does in a second depends on the number of steps.</summary>
+        OncePerStep = 2048,
     }
 
     internal static class TraitsOfSums

@@ -8,6 +8,8 @@ namespace RigidBodyDynamics
         /// <summary>Damping at the given rate c, 1/s.</summary>
         public LinearDamping(double rate) => _rate = Guard.NotNegative(rate, "linearDamping");
 
+        public PushTraits Traits => PushTraits.Moves | PushTraits.ReadsVelocity | PushTraits.IsDamping;
+
         public void AddTo(ref Coasting coasting) => coasting.LinearDampingRate += _rate;
 
         /// <summary>In words.</summary>

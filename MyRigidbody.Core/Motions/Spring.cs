@@ -4,7 +4,7 @@ using System.Globalization;
 namespace RigidBodyDynamics
 {
     /// <summary>A spring of no length of its own, from a point of the body to a point of the world.</summary>
-    public readonly struct Spring : IPush
+    public readonly struct Spring : IPush, ISwing
     {
         private readonly Vector3d _anchor;
         private readonly Vector3d _at;
@@ -35,11 +35,10 @@ namespace RigidBodyDynamics
             impulse.Torque += duration * Vector3d.Cross(arm, force);
         }
 
-        /// <summary>
-        /// The step, s, below which the spring's swing stays bounded by a rule that pushes and moves in turn (Splitting, Exact,
-        /// LabEuler): 2/ω with ω² = k (1/m + a²/I), a the arm and I the least moment. Sharp where the spring holds the centre
-        /// of mass; on an arm, for swings that are small against it.
-        /// </summary>
+        /// <remarks>
+        /// ω² = k (1/m + a²/I), a the arm and I the least moment. Sharp where the spring holds the centre of mass; on an arm,
+        /// for swings that are small against it.
+        /// </remarks>
         public double LongestStableStep(MassProperties mass)
         {
             Vector3d i = Guard.NotNull(mass, nameof(mass)).PrincipalMoments;

@@ -16,7 +16,7 @@ namespace RigidBodyDynamics
         public double To { get; }
 
         /// <summary>The <see cref="IPush"/> or <see cref="ICoast"/> itself.</summary>
-        public abstract object Motion { get; }
+        public abstract IEffect Motion { get; }
     }
 
     /// <summary>An effect that a body coasts with.</summary>
@@ -27,7 +27,7 @@ namespace RigidBodyDynamics
         public CoastEffect(ICoast coast, double from, double to) : base(from, to) =>
             _coast = Guard.NotNull(coast, nameof(coast));
 
-        public override object Motion => _coast;
+        public override IEffect Motion => _coast;
 
         public void AddTo(ref Coasting coasting) => _coast.AddTo(ref coasting);
     }
@@ -54,7 +54,7 @@ namespace RigidBodyDynamics
 
         public override IPush Push => _push;
 
-        public override object Motion => _push;
+        public override IEffect Motion => _push;
 
         public override Stretch<TIntegrator> Join<TIntegrator, TSum>(TSum sum, StretchBuilder<TIntegrator> builder, int next) =>
             builder.Bind(new Both<TSum, TPush>(sum, _push), next);

@@ -20,7 +20,7 @@ namespace RigidBodyDynamics
         {
             _plan = Guard.NotNull(plan, nameof(plan));
             LeaveOut();
-            LookAtSprings();
+            LookAtSwings();
         }
 
         /// <summary>What is not computed.</summary>
@@ -41,7 +41,7 @@ namespace RigidBodyDynamics
             foreach (Effect effect in Guard.NotNull(stretch, nameof(stretch)).Effects)
             {
                 if (effect.Motion is ICoast)
-                    parts.Add(effect.Motion + (isExact && !(effect.Motion is DecayPerStep) ? " (closed form)" : string.Empty));
+                    parts.Add(effect.Motion + (isExact && (effect.Motion.Traits & PushTraits.OncePerStep) == 0 ? " (closed form)" : string.Empty));
             }
 
             if (body.CanTurn)
@@ -123,29 +123,25 @@ namespace RigidBodyDynamics
             else if (!asked.CanMove)
                 Add("translation", "the scene says that it cannot move", null, Steps);
 
-            bool falls = false, isDamped = false, drags = false;
+            PushTraits acting = PushTraits.None;
             foreach (Effect effect in asked.Effects)
-            {
-                falls |= effect.Motion is Gravity;
-                isDamped |= effect.Motion is LinearDamping || effect.Motion is AngularDamping || effect.Motion is DecayPerStep;
-                drags |= effect.Motion is QuadraticDrag;
-            }
+                acting |= effect.Motion.Traits;
 
             const string None = "none in the scene";
-            if (!falls && asked.CanMove)
+            if ((acting & PushTraits.IsGravity) == 0 && asked.CanMove)
                 Add("gravity", None, Copy(asked).With(new Gravity(new Vector3d(0, -9.81, 0))), Steps);
 
-            if (!isDamped)
+            if ((acting & PushTraits.IsDamping) == 0)
                 Add("damping", None, Copy(asked).With(new LinearDamping(0.1)).With(new AngularDamping(0.1)), Steps);
 
-            if (!drags && asked.CanMove)
+            if ((acting & PushTraits.IsDrag) == 0 && asked.CanMove)
                 Add("drag", None, Copy(asked).With(new QuadraticDrag(0.01)), Steps);
 
             if (!_plan.IsPushed)
                 Add("forces and torques", None, Copy(asked).With(new Force(new Vector3d(1, 0, 0))).With(Torque.Constant(new Vector3d(1, 0, 0))), Steps);
         }
 
-        private void LookAtSprings()
+        private void LookAtSwings()
         {
             double longest = 0;
             for (int i = 0; i < _plan.Stretches.Count; i++)
@@ -153,14 +149,14 @@ namespace RigidBodyDynamics
 
             foreach (Effect effect in _plan.Asked.Effects)
             {
-                if (!(effect.Motion is Spring spring))
+                if (!(effect.Motion is ISwing swing))
                     continue;
 
-                double stable = spring.LongestStableStep(_plan.Asked.Mass);
+                double stable = swing.LongestStableStep(_plan.Asked.Mass);
                 _notes.Add(string.Format(
                     CultureInfo.InvariantCulture,
                     "{0}: swings are stable in steps below {1:g3} s{2}",
-                    spring,
+                    swing,
                     stable,
                     longest < stable ? string.Empty : ", and the scene's is " + longest.ToString("g3", CultureInfo.InvariantCulture) + " s"));
             }

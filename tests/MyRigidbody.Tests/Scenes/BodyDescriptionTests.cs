@@ -32,7 +32,7 @@ public sealed class BodyDescriptionTests
         Force force = new(new Vector3d(1, 2, 3));
         Gravity gravity = new(new Vector3d(0, -1, 0));
         BodyDescription body = new BodyDescription("b", Mass).With(force, 1, 2).With(gravity).With(force, -1);
-        Assert.That(body.Effects.Select(e => (e.Motion, e.From, e.To)), Is.EqualTo(new (object, double, double)[]
+        Assert.That(body.Effects.Select(e => (e.Motion, e.From, e.To)), Is.EqualTo(new (IEffect, double, double)[]
         {
             (force, 1, 2), (gravity, 0, double.PositiveInfinity), (force, -1, double.PositiveInfinity),
         }));

@@ -98,6 +98,46 @@ public sealed class ExplanationTests
     }
 
     [Test]
+    public void Effect_of_a_user_s_own_says_what_it_is()
+    {
+        BodyDescription body = Top("Exact", new Vector3d(1, 2, 3));
+        Assert.That(LeftOut(body), Is.EqualTo(new[] { "steps that nobody looks at", "gravity", "damping", "drag", "forces and torques" }));
+        Assert.That(LeftOut(Copy().With(new Wind(0.1, new Vector3d(1, 0, 0), Vector3d.Zero))), Is.EqualTo(new[] { "gravity", "damping" }));
+        Assert.That(LeftOut(Copy().With(new Force(new Vector3d(1, 0, 0)))), Does.Contain("gravity"));
+        foreach ((PushTraits trait, string what) in new[] { (PushTraits.IsGravity, "gravity"), (PushTraits.IsDamping, "damping"), (PushTraits.IsDrag, "drag") })
+        {
+            Declared mine = new(new Force(new Vector3d(1, 0, 0)), PushTraits.Moves | trait);
+            Assert.That(LeftOut(Copy().With(mine)), Does.Not.Contain(what).And.Count.EqualTo(2), what);
+        }
+
+        BodyDescription Copy() => body.Copy("copy", body.Mass);
+        static List<string> LeftOut(BodyDescription body) =>
+            [.. new Explanation(new Simulation(TimeSteps.Every(0.02), body).Bodies[0].Plan).LeftOut.Select(omission => omission.What)];
+    }
+
+    [Test]
+    public void Swing_of_a_user_s_own_says_its_longest_step()
+    {
+        Explanation explanation = new(new Simulation(TimeSteps.Every(0.5), Top("Exact", new Vector3d(1, 2, 3)).With(default(Pendulum))).Bodies[0].Plan);
+        Assert.That(explanation.Notes, Is.EqualTo(new[] { "pendulum: swings are stable in steps below 0.4 s, and the scene's is 0.5 s" }));
+    }
+
+    /// <summary>Swings with ω = 5 rad/s about the origin.</summary>
+    private readonly struct Pendulum : IPush, ISwing
+    {
+        public PushTraits Traits => PushTraits.Moves | PushTraits.ReadsPosition;
+
+        public void At(in Instant now, in BodyState body, MassProperties mass, ref Wrench wrench) => wrench.Force -= 25 * mass.Mass * body.Position;
+
+        public void Over(in Instant now, double duration, in BodyState body, MassProperties mass, ref Wrench impulse) =>
+            impulse.Force -= 25 * duration * mass.Mass * body.Position;
+
+        public double LongestStableStep(MassProperties mass) => 2.0 / 5;
+
+        public override string ToString() => "pendulum";
+    }
+
+    [Test]
     public void Unity_s_body_says_what_it_does_of_itself()
     {
         BodyDescription body = Top("UnityRigidbody", new Vector3d(1, 2, 3));
