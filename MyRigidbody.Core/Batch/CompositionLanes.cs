@@ -36,13 +36,15 @@ namespace RigidBodyDynamics
 
         public bool HasClosedForm => false;
 
-        public void Start(BodyDescription body)
+        public void Start(in Beginning body)
         {
             _mass = body.Mass;
             _canMove = body.CanMove;
             _top = default(TTop);
             _top.Start(body.Mass);
         }
+
+        public void Push(in Wrench impulse) => throw new NotSupportedException();
 
         public void Select(int from, int to)
         {

@@ -72,7 +72,7 @@ namespace RigidBodyDynamics
             for (int i = 0; i < _rules.Length; i++)
             {
                 _rules[i] = rule;
-                _rules[i].Start(plan.Body);
+                _rules[i].Start(new Beginning(plan.Body));
             }
         }
 

@@ -47,7 +47,7 @@ namespace RigidBodyDynamics
 
         public bool HasClosedForm => false;
 
-        public void Start(BodyDescription body)
+        public void Start(in Beginning body)
         {
             _mass = body.Mass;
             _lab = body.Lab;
@@ -55,6 +55,8 @@ namespace RigidBodyDynamics
             _canTurn = body.CanTurn;
             _isOffCenter = !body.Mass.CenterOfMass.IsZero;
         }
+
+        public void Push(in Wrench impulse) => throw new NotSupportedException();
 
         public void Select(int from, int to)
         {

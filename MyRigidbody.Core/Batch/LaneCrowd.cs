@@ -26,9 +26,9 @@ namespace RigidBodyDynamics
         protected LaneCrowd(BodyDescription body, TLanes lanes)
         {
             _lanes = lanes;
-            _lanes.Start(body);
+            _lanes.Start(new Beginning(body));
             _one = default(TBody);
-            _one.Start(body);
+            _one.Start(new Beginning(body));
             _now = lanes.Bodies;
             _kept = new Columns(_now.Count);
             _seen = Seen();
@@ -46,7 +46,7 @@ namespace RigidBodyDynamics
         public override void Start(int place, BodyDescription body)
         {
             TBody one = default(TBody);
-            one.Start(body);
+            one.Start(new Beginning(body));
             Carry(ref one, _now.Row(place, isOut: true), isAll: true);
         }
 

@@ -21,7 +21,7 @@ namespace RigidBodyDynamics
         public override void Start(int place, BodyDescription body)
         {
             _now[place] = default(TIntegrator);
-            _now[place].Start(body);
+            _now[place].Start(new Beginning(body));
             _preparedFor[place] = 0;
         }
 
@@ -95,7 +95,9 @@ namespace RigidBodyDynamics
 
             public bool HasClosedForm => false;
 
-            public void Start(BodyDescription body) { }
+            public void Start(in Beginning body) { }
+
+            public void Push(in Wrench impulse) => throw new NotSupportedException();
 
             public void Select(int from, int to)
             {

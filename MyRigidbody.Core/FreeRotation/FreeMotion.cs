@@ -61,7 +61,7 @@ namespace RigidBodyDynamics
             public Form(BodyDescription body)
             {
                 _start = default(Composition<TTop, Order2>);
-                _start.Start(body);
+                _start.Start(new Beginning(body));
             }
 
             public override BodyState At(double time, in Coasting coasting)

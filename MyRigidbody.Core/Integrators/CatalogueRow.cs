@@ -199,7 +199,7 @@ namespace RigidBodyDynamics
             public bool With<TTop>() where TTop : struct, IFreeTop
             {
                 Composition<TTop, TScheme> start = default(Composition<TTop, TScheme>);
-                start.Start(_body);
+                start.Start(new Beginning(_body));
                 start.Prepare(1, _stretch.Coasting);
                 return _stretch.Pushes.Count == 0 && start.HasClosedForm;
             }

@@ -36,17 +36,28 @@ namespace RigidBodyDynamics
 
         public bool HasClosedForm => _top.HasClosedForm && (!_decaysPerStep || (!_canMove && typeof(TTop) == typeof(HeldTop)));
 
-        public void Start(BodyDescription body)
+        public void Start(in Beginning body)
         {
-            Quaterniondd q = Quaterniondd.Unit(body.Start.Orientation);
+            Quaterniondd q = body.Orientation;
+            BodyState start = body.Raw;
             _mass = body.Mass;
             _canMove = body.CanMove;
             _isOffCenter = !_mass.CenterOfMass.IsZero;
-            _x = _isOffCenter ? body.Start.Position + q.Rotate(_mass.CenterOfMass).Rounded : body.Start.Position;
-            _v = body.Start.Velocity;
+            _x = _isOffCenter ? start.Position + q.Rotate(_mass.CenterOfMass).Rounded : start.Position;
+            _v = start.Velocity;
             _xLost = _vLost = Vector3d.Zero;
             _top = default(TTop);
-            _top.Start(_mass, q, body.InBodyAxes);
+            _top.Start(_mass, q, body.AngularVelocityInBody);
+        }
+
+        public void Push(in Wrench impulse)
+        {
+            if (_canMove)
+                RunningSum.Add(ref _v, ref _vLost, _mass.InverseMass * impulse.Force);
+
+            // a turn that goes on as it is keeps what is prepared for it
+            if (!(impulse.Torque.IsZero && impulse.BodyTorque.IsZero))
+                _top.Kick(impulse.Torque, impulse.BodyTorque);
         }
 
         public void Prepare(double duration, in Coasting coasting)

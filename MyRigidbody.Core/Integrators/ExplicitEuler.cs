@@ -16,7 +16,9 @@ namespace RigidBodyDynamics
 
         public bool HasClosedForm => _lab.HasClosedForm;
 
-        public void Start(BodyDescription body) => _lab.Start(body);
+        public void Start(in Beginning body) => _lab.Start(body);
+
+        public void Push(in Wrench impulse) => _lab.Push(impulse);
 
         public void Prepare(double duration, in Coasting coasting) => _lab.Prepare(duration, coasting);
 

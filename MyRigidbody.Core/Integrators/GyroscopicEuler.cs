@@ -66,10 +66,9 @@ namespace RigidBodyDynamics
 
         public bool HasClosedForm => !_canMove && !_canTurn;
 
-        public void Start(BodyDescription body)
+        public void Start(in Beginning body)
         {
-            _body = body.Start;
-            _body.Orientation = _body.Orientation.Normalized;
+            _body = body.State;
             _mass = body.Mass;
             _axes = new PrincipalAxesOrder(_mass, 0);
             // only ratios count, and a product of three moments of 1e-120 would be zero
@@ -77,6 +76,16 @@ namespace RigidBodyDynamics
             _canMove = body.CanMove;
             _canTurn = body.CanTurn;
             _isOffCenter = !_mass.CenterOfMass.IsZero;
+        }
+
+        public void Push(in Wrench impulse)
+        {
+            BodyState pushed = impulse.AppliedTo(_body, _mass);
+            if (_canMove)
+                _body.Velocity = pushed.Velocity;
+
+            if (_canTurn)
+                _body.AngularVelocity = pushed.AngularVelocity;
         }
 
         public void Prepare(double duration, in Coasting coasting)

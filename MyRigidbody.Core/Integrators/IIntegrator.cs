@@ -27,8 +27,14 @@ namespace RigidBodyDynamics
         /// </summary>
         bool HasClosedForm { get; }
 
-        /// <summary>Takes over a body at its start.</summary>
-        void Start(BodyDescription body);
+        /// <summary>Takes over a body.</summary>
+        void Start(in Beginning body);
+
+        /// <summary>
+        /// Adds an impulse (N s) and angular impulses about the centre of mass (N m s) at once: velocities change, the pose stays.
+        /// What cannot move or turn does not.
+        /// </summary>
+        void Push(in Wrench impulse);
 
         /// <summary>Makes ready for steps of one length with one sum of coasting effects: all that can be computed once.</summary>
         void Prepare(double duration, in Coasting coasting);

@@ -21,15 +21,27 @@ namespace RigidBodyDynamics
 
         public bool HasClosedForm => !_canMove && !_canTurn;
 
-        public void Start(BodyDescription body)
+        public void Start(in Beginning body)
         {
-            _body = body.Start;
-            _body.Orientation = _body.Orientation.Normalized;
+            _body = body.State;
             _mass = body.Mass;
             _lab = body.Lab;
             _canMove = body.CanMove;
             _canTurn = body.CanTurn;
             _isOffCenter = !body.Mass.CenterOfMass.IsZero;
+        }
+
+        public void Push(in Wrench impulse)
+        {
+            // without LabSettings.Normalise q is longer than the turn it stands for
+            BodyState pushed = _body;
+            pushed.Orientation = pushed.Orientation.Normalized;
+            pushed = impulse.AppliedTo(pushed, _mass);
+            if (_canMove)
+                _body.Velocity = pushed.Velocity;
+
+            if (_canTurn)
+                _body.AngularVelocity = pushed.AngularVelocity;
         }
 
         public void Prepare(double duration, in Coasting coasting)

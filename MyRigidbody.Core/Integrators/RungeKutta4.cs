@@ -32,21 +32,30 @@ namespace RigidBodyDynamics
 
         public bool HasClosedForm => !_canMove && !_canTurn;
 
-        public void Start(BodyDescription body)
+        public void Start(in Beginning body)
         {
-            BodyState start = body.Start;
+            BodyState start = body.Raw;
             _mass = body.Mass;
             _canMove = body.CanMove;
             _canTurn = body.CanTurn;
             _isOffCenter = !_mass.CenterOfMass.IsZero;
             _axes = new PrincipalAxesOrder(_mass, 0);
             _inverseMoments = _mass.InversePrincipalMoments;
-            Quaterniondd q = Quaterniondd.Unit(start.Orientation);
+            Quaterniondd q = body.Orientation;
             _x = _isOffCenter ? start.Position + q.Rotate(_mass.CenterOfMass).Rounded : start.Position;
             _v = start.Velocity;
             q = _axes.FromBody(q);
             _q = q.Rounded;
-            _l = q.Rotate(Vector3dd.Scale(_mass.PrincipalMoments, _axes.FromBody(body.InBodyAxes))).Rounded;
+            _l = q.Rotate(Vector3dd.Scale(_mass.PrincipalMoments, _axes.FromBody(body.AngularVelocityInBody))).Rounded;
+        }
+
+        public void Push(in Wrench impulse)
+        {
+            if (_canMove)
+                _v += _mass.InverseMass * impulse.Force;
+
+            if (_canTurn)
+                _l += impulse.BodyTorque.IsZero ? impulse.Torque : impulse.Torque + _q.Rotate(_axes.FromBody(impulse.BodyTorque));
         }
 
         public void Prepare(double duration, in Coasting coasting)

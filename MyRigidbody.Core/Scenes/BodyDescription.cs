@@ -46,7 +46,7 @@ namespace RigidBodyDynamics
         /// </summary>
         public Vector3d AngularVelocityInBody
         {
-            get => InBodyAxes.Rounded;
+            get => new Beginning(this).AngularVelocityInBody.Rounded;
             set
             {
                 _start.AngularVelocity = Quaterniondd.Unit(_start.Orientation).Rotate(value).Rounded;
@@ -54,7 +54,7 @@ namespace RigidBodyDynamics
             }
         }
 
-        internal Vector3dd InBodyAxes => _inBody ?? Quaterniondd.Unit(_start.Orientation).Conjugate.Rotate(_start.AngularVelocity);
+        internal Vector3d? GivenInBody => _inBody;
 
         /// <summary>False for a body that does not translate; it is not charged for it.</summary>
         public bool CanMove { get; set; } = true;

@@ -21,7 +21,7 @@ namespace RigidBodyDynamics
             _clock = clock;
             _steps = plan.Steps;
             _stretches = StretchBuilder<TIntegrator>.Bind(plan, isWatched: false);
-            _now.Motion.Start(plan.Body);
+            _now.Motion.Start(new Beginning(plan.Body));
             Settle();
             _before = _now;
         }

@@ -91,7 +91,7 @@ namespace RigidBodyDynamics.Engine
             {
                 body.Start = new BodyState(Position.Exact(), Rotation.Exact(), Velocity.Exact(), AngularVelocity.Exact());
                 body.Unity.WakeCounter = _wakeCounter;
-                _rule.Start(body);
+                _rule.Start(new Beginning(body));
                 _isChanged = false;
             }
 

@@ -36,8 +36,9 @@ namespace RigidBodyDynamics
         /// <summary>Seconds until a body that stays at rest falls asleep.</summary>
         public float WakeCounter => _wake.Left;
 
-        public void Start(BodyDescription body)
+        public void Start(in Beginning body)
         {
+            BodyState start = body.Raw;
             _mass = body.Mass;
             _unity = body.Unity.Copy();
             _canMove = body.CanMove;
@@ -51,13 +52,30 @@ namespace RigidBodyDynamics
             _moments = _inverseMoments.Inverse();
             _centerOfMass = Fitting(_mass.CenterOfMass, "centerOfMass");
             _frame = Unit(_mass.PrincipalFrame, "frame");
-            RealQuaternion<R> orientation = Unit(body.Start.Orientation, "orientation");
-            _c = Fitting(body.Start.Position, "position") + orientation.Rotate(_centerOfMass);
+            RealQuaternion<R> orientation = Unit(start.Orientation, "orientation");
+            _c = Fitting(start.Position, "position") + orientation.Rotate(_centerOfMass);
             _q = orientation * _frame;
-            _v = Fitting(body.Start.Velocity, "velocity");
-            _w = Fitting(body.Start.AngularVelocity, "angularVelocity");
+            _v = Fitting(start.Velocity, "velocity");
+            _w = Fitting(start.AngularVelocity, "angularVelocity");
             _wake = new WakeCounter<R>(_unity.WakeCounter, _unity.SleepThreshold);
             IsAsleep = false;
+        }
+
+        /// <remarks>PhysX's addForce and addTorque in impulse mode: what is not zero also wakes the body.</remarks>
+        public void Push(in Wrench impulse)
+        {
+            RealVector<R> force = RealVector<R>.From(impulse.Force);
+            RealVector<R> torque = RealVector<R>.From(impulse.BodyTorque.IsZero ? impulse.Torque : impulse.TorqueInWorld(State.Orientation));
+            if (force.IsZero && torque.IsZero)
+                return;
+
+            _wake.Wake();
+            IsAsleep = false;
+            if (_canMove)
+                _v = _v + force * _inverseMass;
+
+            if (_canTurn && !torque.IsZero)
+                _w = _w + _q.TransformDiagonal(_inverseMoments, torque);
         }
 
         public void Prepare(double duration, in Coasting coasting)

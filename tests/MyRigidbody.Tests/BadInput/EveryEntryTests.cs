@@ -20,7 +20,7 @@ public sealed class EveryEntryTests
 
     // asked in every step, by a simulation that has checked what it was given at its start
     private static readonly string[] InnerLoop =
-        [nameof(IPush.At), nameof(IPush.Over), nameof(ICoast.AddTo), nameof(IIntegrator.Start), nameof(IIntegrator.Prepare), nameof(IIntegrator.Step)];
+        [nameof(IPush.At), nameof(IPush.Over), nameof(ICoast.AddTo), nameof(IIntegrator.Start), nameof(IIntegrator.Push), nameof(IIntegrator.Prepare), nameof(IIntegrator.Step)];
 
     private static IEnumerable<TestCaseData> Checked() => Entry.All
         .Where(entry => !Arithmetic.Contains(entry.Type) && !(entry.Type.IsValueType && InnerLoop.Contains(entry.Method.Name)))

@@ -23,7 +23,7 @@ public sealed class SavedBodyTests
         // the clock and the sums it keeps are part of the body
         PhysxRecording recording = PhysxRecording.Read("g_slower_sleeps");
         UnityRigidbody<ToSingle> body = default;
-        body.Start(recording.Body());
+        body.Start(new Beginning(recording.Body()));
         body.Prepare(0.02f, Coasting.Free);
         Nothing nothing = default;
         for (int n = 0; n < 15; n++)
@@ -44,7 +44,7 @@ public sealed class SavedBodyTests
     private static void Check<TIntegrator>(string integrator) where TIntegrator : struct, IIntegrator
     {
         TIntegrator body = default;
-        body.Start(Scenery.Body(integrator));
+        body.Start(new Beginning(Scenery.Body(integrator)));
         Run(ref body, 0, 50);
         TIntegrator saved = body;
         BodyState then = body.State;

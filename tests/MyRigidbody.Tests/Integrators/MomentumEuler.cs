@@ -6,6 +6,7 @@ public struct MomentumEuler : IIntegrator
     private MassProperties _mass;
     private SymmetricMatrix3 _inverseInertia;
     private Coasting _coasting;
+    private bool _canMove, _canTurn;
     private double _dt;
     private Vector3d _x, _v, _l;
     private Quaterniond _q;
@@ -19,14 +20,26 @@ public struct MomentumEuler : IIntegrator
 
     public bool HasClosedForm => false;
 
-    public void Start(BodyDescription body)
+    public void Start(in Beginning body)
     {
+        BodyState start = body.State;
         _mass = body.Mass;
-        _inverseInertia = body.Mass.Inertia.Inverse;
-        _q = body.Start.Orientation.Normalized;
-        _x = body.Start.Position + _q.Rotate(_mass.CenterOfMass);
-        _v = body.Start.Velocity;
-        _l = Conserved.AngularMomentum(body.Start, _mass);
+        _canMove = body.CanMove;
+        _canTurn = body.CanTurn;
+        _inverseInertia = _mass.Inertia.Inverse;
+        _q = start.Orientation;
+        _x = start.Position + _q.Rotate(_mass.CenterOfMass);
+        _v = start.Velocity;
+        _l = Conserved.AngularMomentum(start, _mass);
+    }
+
+    public void Push(in Wrench impulse)
+    {
+        if (_canMove)
+            _v += _mass.InverseMass * impulse.Force;
+
+        if (_canTurn)
+            _l += impulse.TorqueInWorld(_q);
     }
 
     public void Prepare(double duration, in Coasting coasting)
@@ -40,12 +53,19 @@ public struct MomentumEuler : IIntegrator
         Wrench load = default(Wrench);
         push.At(now, State, _mass, ref load);
 
-        _v += _dt * (_mass.InverseMass * load.Force + _coasting.Acceleration);
-        _l += _dt * load.TorqueInWorld(_q);
-        _x += _dt * _v;
-        _q = (_q + new Quaterniond(0, 0.5 * _dt * AngularVelocity(_q, _l)) * _q).Normalized;
-        _v = _coasting.LinearDecay(_dt) * _v;
-        _l = _coasting.AngularDecay(_dt) * _l;
+        if (_canMove)
+        {
+            _v += _dt * (_mass.InverseMass * load.Force + _coasting.Acceleration);
+            _x += _dt * _v;
+            _v = _coasting.LinearDecay(_dt) * _v;
+        }
+
+        if (_canTurn)
+        {
+            _l += _dt * load.TorqueInWorld(_q);
+            _q = (_q + new Quaterniond(0, 0.5 * _dt * AngularVelocity(_q, _l)) * _q).Normalized;
+            _l = _coasting.AngularDecay(_dt) * _l;
+        }
     }
 
     private Vector3d AngularVelocity(Quaterniond q, Vector3d l) => q.Rotate(_inverseInertia * q.RotateInverse(l));

@@ -148,7 +148,7 @@ public sealed class OrderOfEffectsTests
             steps =>
             {
                 Composition<AsymmetricTop, TScheme> rule = default;
-                rule.Start(MeasuredOrder.Body("Exact", MeasuredOrder.Moments));
+                rule.Start(new Beginning(MeasuredOrder.Body("Exact", MeasuredOrder.Moments)));
                 rule.Prepare(MeasuredOrder.Time / steps, Coasting.Free);
                 for (int i = 0; i < steps; i++)
                     rule.Step(new Instant(i, i * MeasuredOrder.Time / steps), ref push);

@@ -106,7 +106,7 @@ public sealed class UnityRecordingTests
     private static IEnumerable<float[]> Play<R>(PhysxRecording recording) where R : struct, IRounding
     {
         UnityRigidbody<R> body = default;
-        body.Start(recording.Body());
+        body.Start(new Beginning(recording.Body()));
         PerStep push = recording.Pushes;
         Coasting coasting = recording.Coasting;
         double[] lengths = recording.StepLengths;
@@ -133,7 +133,7 @@ public sealed class UnityRecordingTests
     private static double[] Deviation(PhysxRecording recording, int steps)
     {
         UnityRigidbody<ToDouble> body = default;
-        body.Start(recording.Body());
+        body.Start(new Beginning(recording.Body()));
         PerStep push = recording.Pushes;
         Coasting coasting = recording.Coasting;
         double[] lengths = recording.StepLengths;

@@ -28,7 +28,7 @@ public sealed class UnreadTests
     private static BodyState ShownBy<TIntegrator>(PushTraits traits) where TIntegrator : struct, IIntegrator
     {
         TIntegrator body = default;
-        body.Start(new BodyDescription("b", Solids.Sphere(1, 1)) { Start = Moving });
+        body.Start(new Beginning(new BodyDescription("b", Solids.Sphere(1, 1)) { Start = Moving }));
         body.Prepare(0.1, Coasting.Free);
         Onlooker push = new(traits | PushTraits.Moves);
         body.Step(new Instant(0, 0), ref push);

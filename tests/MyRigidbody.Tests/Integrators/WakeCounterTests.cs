@@ -40,11 +40,11 @@ public sealed class WakeCounterTests
     private static double After(int steps, Vector3d v, Vector3d w)
     {
         UnityRigidbody<ToDouble> body = default;
-        body.Start(new BodyDescription("b", MassProperties.FromPrincipal(4, new Vector3d(1, 2, 2.5)))
+        body.Start(new Beginning(new BodyDescription("b", MassProperties.FromPrincipal(4, new Vector3d(1, 2, 2.5)))
         {
             Start = new BodyState(Vector3d.Zero, Quaterniond.Identity, v, w),
             Unity = new UnitySettings { AngularDrag = 0, InDouble = true, SleepThreshold = Threshold, WakeCounter = Clock },
-        });
+        }));
         body.Prepare(Dt, Coasting.Free);
         Nothing nothing = default;
         for (int n = 0; n < steps; n++)

@@ -58,7 +58,7 @@ public sealed class IntegratorsPageTests
     {
         MomentumEuler rule = default;
         Nothing nothing = default;
-        rule.Start(Top());
+        rule.Start(new Beginning(Top()));
         rule.Prepare(step, Coasting.Free);
         for (int i = 0; i < (int)Math.Round(Seconds / step); i++)
             rule.Step(new Instant(i, i * step), ref nothing);

@@ -35,7 +35,7 @@ public sealed class WindowTests
         void Check<TIntegrator>(string integrator) where TIntegrator : struct, IIntegrator
         {
             TIntegrator byHand = default;
-            byHand.Start(Scenery.Body(integrator));
+            byHand.Start(new Beginning(Scenery.Body(integrator)));
             Simulation simulation = new(steps, Described(integrator));
             for (int n = 0; n < Scenery.Steps; n++)
             {
