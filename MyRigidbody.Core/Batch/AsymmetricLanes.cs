@@ -220,6 +220,13 @@ namespace RigidBodyDynamics
             QuaternionLanes q = new QuaternionLanes(bodies, Q), qLost = new QuaternionLanes(bodies, QLost);
             VectorLanes momentum = areShort ? default(VectorLanes) : q.Rotate(new VectorLanes(m1, m2, m3));
             SmallTurn.Add(ref q, ref qLost, q * new QuaternionLanes(-vv * f, v * r1, v * r2, v * r3));
+            if (Vector.LessThanAny(r0, Lanes.Zero))
+            {
+                Lanes sign = Vector.ConditionalSelect(Vector.LessThan(r0, Lanes.Zero), new Lanes(-1), Lanes.One);
+                q = sign * q;
+                qLost = sign * qLost;
+            }
+
             if (!areShort)
             {
                 QuaternionLanes kept = q, keptLost = qLost;

@@ -234,11 +234,11 @@ namespace RigidBodyDynamics
 
         public Impulse(PushTraits does, in Wrench given, double inverseMass, Vector3d inWorld, Vector3d inOwnAxes)
         {
-            Does = does;
-            Velocity = inverseMass * given.Force;
-            World = inWorld;
             HasWorld = !given.Torque.IsZero;
             HasBody = !given.BodyTorque.IsZero;
+            Does = does & ~((given.Force.IsZero ? PushTraits.Moves : 0) | (HasWorld || HasBody ? 0 : PushTraits.Turns));
+            Velocity = inverseMass * given.Force;
+            World = inWorld;
             Body = HasBody ? inOwnAxes : given.BodyTorque;
         }
     }

@@ -154,6 +154,9 @@ namespace RigidBodyDynamics
             new QuaternionLanes(a.W + b.W, a.X + b.X, a.Y + b.Y, a.Z + b.Z);
 
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        public static QuaternionLanes operator *(Lanes s, QuaternionLanes a) => new QuaternionLanes(s * a.W, s * a.X, s * a.Y, s * a.Z);
+
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
         public static QuaternionLanes operator *(QuaternionLanes a, QuaternionLanes b) => new QuaternionLanes(
             a.W * b.W - a.X * b.X - a.Y * b.Y - a.Z * b.Z,
             a.W * b.X + a.X * b.W + a.Y * b.Z - a.Z * b.Y,

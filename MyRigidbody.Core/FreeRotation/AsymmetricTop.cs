@@ -209,10 +209,14 @@ namespace RigidBodyDynamics
             double r2 = _orbit.C * (c3 * m1 - c1 * m3) + _orbit.Z * s2;
             double r3 = _orbit.C * (c1 * m2 - c2 * m1) + _orbit.Z * s3;
             double vv = r1 * r1 + r2 * r2 + r3 * r3, n = Math.Sqrt(r0 * r0 + vv);
+            // by more than half a turn −r is nearer to 1 than r: it is taken, and the sign made up for, so that q does not jump
             n = r0 < 0 ? -n : n;
             double f = 1 / (n * (n + r0)), v = f * (n + r0);
             Vector3d momentum = _isShort ? Vector3d.Zero : _q.Rotate(new Vector3d(m1, m2, m3));
             SmallTurn.Add(ref _q, ref _qLost, _q * new Quaterniond(-vv * f, v * r1, v * r2, v * r3));
+            if (r0 < 0)
+                Negate();
+
             if (!_isShort)
                 KeepDirection(momentum);
         }
@@ -226,6 +230,12 @@ namespace RigidBodyDynamics
             Vector3d now = _q.Rotate(new Vector3d(_shape.I1 * _w.X, _w.Y, _shape.I3 * _w.Z));
             Vector3d back = 0.5 / now.LengthSquared * Vector3d.Cross(now, momentum);
             SmallTurn.Add(ref _q, ref _qLost, new Quaterniond(0, back) * _q);
+        }
+
+        private void Negate()
+        {
+            _q = -1 * _q;
+            _qLost = -1 * _qLost;
         }
 
         private void Change(double d1, double d2, double d3)

@@ -187,10 +187,11 @@ namespace RigidBodyDynamics
 
             Wrench impulse = default(Wrench);
             push.Over(now, duration, body, _mass, ref impulse);
-            if (_canMove && (traits & PushTraits.Moves) != 0)
+            // an idle push leaves what is prepared for the way ahead as it is
+            if (_canMove && (traits & PushTraits.Moves) != 0 && !impulse.Force.IsZero)
                 RunningSum.Add(ref _v, ref _vLost, _mass.InverseMass * impulse.Force);
 
-            if ((traits & PushTraits.Turns) != 0)
+            if ((traits & PushTraits.Turns) != 0 && !(impulse.Torque.IsZero && impulse.BodyTorque.IsZero))
                 _top.Kick(impulse.Torque, impulse.BodyTorque);
         }
 
