@@ -13,6 +13,7 @@ internal static class EffectReader
         ["torque"] = place => Push(Torque(place.Fields())),
         ["key"] = place => Push(new Key((LabKey)place.OneOf(Enum.GetNames<LabKey>()))),
         ["quadraticDrag"] = place => Push(new QuadraticDrag(place.Number())),
+        ["thrust"] = place => Push(Thrust(place.Fields())),
         ["spring"] = place => Push(Spring(place.Fields())),
         ["heavyTop"] = place => Push(HeavyTop(place.Fields())),
         ["perStep"] = place => Push(PerStep(place.Fields())),
@@ -79,6 +80,13 @@ internal static class EffectReader
         return torque;
 
         Vector3d Vector(string name) => fields.Or(name, Vector3d.Zero, place => place.Vector());
+    }
+
+    private static Thrust Thrust(Fields fields)
+    {
+        Vector3d force = fields.Required("force").Vector(), point = fields.Or("point", Vector3d.Zero, place => place.Vector());
+        fields.End();
+        return new Thrust(force, point);
     }
 
     private static Spring Spring(Fields fields)

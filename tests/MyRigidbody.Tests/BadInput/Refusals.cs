@@ -72,6 +72,8 @@ internal static class Refusals
         .. Vectors("anchor", NotFinite, v => new Spring(v, One, 1)),
         .. Vectors("at", NotFinite, v => new Spring(One, v, 1)),
         .. Numbers("stiffness", BelowZero, k => new Spring(One, One, k)),
+        .. Vectors("force", NotFinite, v => new Thrust(v, One)),
+        .. Vectors("point", NotFinite, v => new Thrust(One, v)),
         .. Vectors("axis", NotFinite, v => new HeavyTop(v, 1, One)),
         .. Vectors("up", NotFinite, v => new HeavyTop(One, 1, v)),
         .. Numbers("moment", NotFinite, m => new HeavyTop(One, m, One)),

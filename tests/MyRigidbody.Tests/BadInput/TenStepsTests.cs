@@ -17,6 +17,8 @@ public sealed class TenStepsTests
         .. Both("torque in body axes", v => body => body.With(new Torque(v, v, v, v.X, inBody: true))),
         .. Both("hand", v => body => body.With(new HeldBy(new Hand { Force = v, Torque = v }))),
         .. Both("per step", v => body => body.With(new PerStep([v], [v]))),
+        .. Both("thrust", v => body => body.With(new Thrust(v, One))),
+        .. Both("thrust far from the centre", v => body => body.With(new Thrust(One, v))),
         .. Both("spring", v => body => body.With(new Spring(v, One, 1))),
         .. Both("spring from afar", v => body => body.With(new Spring(One, v, 1))),
         .. Both("stiffness", v => body => body.With(new Spring(One, One, v.X))),

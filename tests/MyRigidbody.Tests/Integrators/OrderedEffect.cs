@@ -27,6 +27,7 @@ internal sealed record OrderedEffect(string Name, Action<BodyDescription, double
         Pushing("torque that swings, body axes", _ => new Torque(C, A, B, 2.1, inBody: true)),
         Pushing("forces and torques per step", PerStep),
         Pushing("quadratic drag", _ => new QuadraticDrag(0.8)),
+        Pushing("thrust", _ => new Thrust(A, C)),
         Pushing("spring at the centre of mass", _ => new Spring(new Vector3d(0.1, -0.2, 0.3), B, 6)),
         Pushing("spring off the centre", _ => new Spring(C, A, 3)),
         Pushing("heavy top", _ => new HeavyTop(B, 2, A)),

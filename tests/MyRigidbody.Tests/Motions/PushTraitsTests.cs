@@ -14,15 +14,6 @@ public sealed class PushTraitsTests
         PushTraits.ReadsAngularVelocity,
     ];
 
-    [Test]
-    public void Every_push_of_the_library_is_tried_here()
-    {
-        IEnumerable<string> written = typeof(IPush).Assembly.GetTypes()
-            .Where(t => t.IsPublic && t.IsValueType && typeof(IPush).IsAssignableFrom(t)).Select(t => t.Name);
-        IEnumerable<string> tried = Pushes.All().Select(c => c.Arguments[0]!.GetType().Name).Distinct();
-        Assert.That(tried, Is.EquivalentTo(written));
-    }
-
     [TestCaseSource(typeof(Pushes), nameof(Pushes.All))]
     public void Push_depends_on_nothing_that_it_does_not_declare(IPush push)
     {

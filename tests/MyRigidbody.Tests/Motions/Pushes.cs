@@ -15,8 +15,30 @@ internal static class Pushes
 
     public static Instant Now { get; } = new(1, 0.7);
 
-    /// <summary>The library's pushes, with numbers that leave no component zero.</summary>
+    /// <summary>The library's pushes, with numbers that leave no component zero; what is not in the list is made of such numbers.</summary>
     public static IEnumerable<TestCaseData> All()
+    {
+        TestCaseData[] listed = [.. Listed()];
+        HashSet<string> names = [.. listed.Select(test => test.Arguments[0]!.GetType().Name)];
+        return listed.Concat(typeof(IPush).Assembly.GetExportedTypes()
+            .Where(type => type.IsValueType && typeof(IPush).IsAssignableFrom(type) && !names.Contains(type.Name))
+            .Select(type => new TestCaseData(Made(type)).SetArgDisplayNames(type.Name)));
+    }
+
+    private static object Made(Type type)
+    {
+        Queue<Vector3d> vectors = new([new(1, -2, 3), new(-0.5, 0.25, 2), new(0.75, 1.5, -1), new(-2, 0.5, 1)]);
+        System.Reflection.ParameterInfo[] parameters = type.GetConstructors().MaxBy(made => made.GetParameters().Length)!.GetParameters();
+        return Activator.CreateInstance(type, [.. parameters.Select(parameter => parameter.ParameterType switch
+        {
+            Type of when of == typeof(Vector3d) => vectors.Dequeue(),
+            Type of when of == typeof(double) => 0.4,
+            Type of when of == typeof(bool) => (object)true,
+            _ => throw new NotSupportedException($"{type.Name} cannot be made without being told its {parameter.Name}: give it a line in Pushes.Listed"),
+        })])!;
+    }
+
+    private static IEnumerable<TestCaseData> Listed()
     {
         Vector3d a = new(1, -2, 3), b = new(-0.5, 0.25, 2), c = new(0.75, 1.5, -1);
         Force force = new(a);

@@ -24,7 +24,7 @@ public sealed class SceneErrorTests
     [TestCase("""{ "schema": "rigid-body-scene/1", "name": "n", "step": 1, "steps": 1, "bodies": [] }""", "scene.json: bodies: must have at least one body")]
     [TestCase("""{ "schema": "rigid-body-scene/1", "name": "n", "step": 1, "steps": 1, "bodys": [], "bodies": [] }""", "scene.json: bodys: is not a name known here; known are schema, name, about, $schema, step, duration, steps, bodies")]
     [TestCase(Head + """ }, { "name": "b" } ] }""", "scene.json: bodies[1]: name: must be unique in the scene, found \"b\" again")]
-    [TestCase(Head + """ "integrator": "Eulr" } ] }""", "scene.json: bodies[0].integrator: must be one of ExplicitEuler, LabEuler, UnityRigidbody, ImplicitGyroscopic, ExplicitGyroscopic, Splitting, RungeKutta4, Exact, Exact4, Exact6, found Eulr")]
+    [TestCase(Head + """ "integrator": "Eulr" } ] }""", "scene.json: bodies[0].integrator: must be one of RULES, found Eulr")]
     [TestCase(Head + """ "mass": 0 } ] }""", "scene.json: bodies[0].mass: must be finite and above zero, found 0")]
     [TestCase(Head + """ "mass": "heavy" } ] }""", "scene.json: bodies[0].mass: must be a number, found \"heavy\"")]
     [TestCase(Head + """ "mass": NaN } ] }""", "scene.json: line 1, column")]
@@ -57,7 +57,7 @@ public sealed class SceneErrorTests
     {
         string error = SceneText.Error(text);
 
-        Assert.That(error, Does.StartWith(expected));
+        Assert.That(error, Does.StartWith(expected.Replace("RULES", string.Join(", ", Catalogue.Rows.Select(row => row.Name)), StringComparison.Ordinal)));
         Assert.That(error, Does.Not.Contain("\n"));
     }
 

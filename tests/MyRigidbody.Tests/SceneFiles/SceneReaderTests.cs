@@ -33,7 +33,7 @@ public sealed class SceneReaderTests
             Is.EqualTo(new[]
             {
                 "Gravity", "Force", "Key", "Torque", "LinearDamping", "AngularDamping", "QuadraticDrag", "DecayPerStep", "DecayPerStep",
-                "Spring", "HeavyTop", "PerStep",
+                "Thrust", "Spring", "HeavyTop", "PerStep",
             }));
         Assert.That(a.Effects[0].To, Is.EqualTo(0.25));
         Assert.That(a.Effects[2].From, Is.EqualTo(0.1));
