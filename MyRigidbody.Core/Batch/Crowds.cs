@@ -13,7 +13,7 @@ namespace RigidBodyDynamics
             foreach (StretchPlan stretch in plan.Stretches)
                 readsState |= (stretch.Does & ReadsState) != 0;
 
-            return plan.Row.Use(plan.Body, new Maker(plan.Body, !readsState));
+            return plan.Rule.Use(plan.Body, new Maker(plan.Body, !readsState));
         }
 
         private sealed class Maker : IRuleUse<Crowd>

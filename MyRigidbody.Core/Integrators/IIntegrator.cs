@@ -2,7 +2,7 @@ namespace RigidBodyDynamics
 {
     /// <summary>
     /// A rule that takes one body from one step to the next. A struct that holds all it keeps of the body; to add a
-    /// rule, write one such struct and give it one line in <see cref="Catalogue"/>.
+    /// rule, write one such struct; <see cref="Rules.Of{TIntegrator}"/> makes a <see cref="Rule"/> of it.
     /// </summary>
     /// <remarks>
     /// The state inside is the rule's own business (single precision, body axes, cached constants); it goes in by

@@ -19,8 +19,8 @@ namespace RigidBodyDynamics
         /// <summary>What its motion consists of, and what was left out.</summary>
         public BodyPlan Plan { get; }
 
-        /// <summary>Name of the rule by which it moves.</summary>
-        public string Integrator => Plan.Row.Name;
+        /// <summary>The rule by which it moves.</summary>
+        public Rule Rule => Plan.Rule;
 
         /// <summary>
         /// Where it is and how it moves now. A body that coasts is computed when this is asked, so two threads must not

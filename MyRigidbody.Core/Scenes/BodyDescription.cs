@@ -26,8 +26,8 @@ namespace RigidBodyDynamics
         /// <summary>Mass and inertia.</summary>
         public MassProperties Mass { get; }
 
-        /// <summary>Name of its row in the <see cref="Catalogue"/>.</summary>
-        public string Integrator { get; set; } = Catalogue.Default.Name;
+        /// <summary>The rule by which it moves: one of <see cref="Rules"/>, or your own.</summary>
+        public Rule Rule { get; set; } = Rules.Default;
 
         /// <summary>The state at time zero.</summary>
         public BodyState Start
@@ -98,7 +98,7 @@ namespace RigidBodyDynamics
         {
             BodyDescription copy = new BodyDescription(name, mass)
             {
-                Integrator = Integrator,
+                Rule = Rule,
                 Start = Start,
                 CanMove = CanMove,
                 CanTurn = CanTurn,
@@ -135,6 +135,7 @@ namespace RigidBodyDynamics
             if (!Guard.IsFinite(Conserved.KineticEnergy(unturned, Mass)))
                 throw Guard.Refused("angularVelocity", Start.AngularVelocity, "must leave a finite kinetic energy");
 
+            Guard.NotNull(Rule, nameof(Rule));
             Guard.NotNull(Lab, nameof(Lab));
             Guard.NotNull(Unity, nameof(Unity));
             if (_effects.Count > MostEffects)

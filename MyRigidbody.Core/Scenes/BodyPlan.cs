@@ -33,7 +33,7 @@ namespace RigidBodyDynamics
             body.Check();
             Steps = steps;
             MayCoast = (mayLeaveOut & Omissions.Coasting) != 0;
-            Row = Catalogue.Find(body.Integrator);
+            Rule = body.Rule;
             Asked = body;
             Stretches = StretchPlan.Divide(body, steps);
 
@@ -55,7 +55,7 @@ namespace RigidBodyDynamics
         public TimeSteps Steps { get; }
 
         /// <summary>The rule by which it moves.</summary>
-        public CatalogueRow Row { get; }
+        public Rule Rule { get; }
 
         /// <summary>The stretches of time in which the same effects act, one after another.</summary>
         public IReadOnlyList<StretchPlan> Stretches { get; }

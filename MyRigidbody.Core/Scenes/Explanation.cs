@@ -34,7 +34,7 @@ namespace RigidBodyDynamics
         {
             List<string> parts = new List<string>();
             BodyDescription body = _plan.Body;
-            bool isExact = (_plan.Row.Keeps & Keeps.Energy) != 0;
+            bool isExact = (_plan.Rule.Keeps & Keeps.Energy) != 0;
             if (body.CanMove)
                 parts.Add("drift");
 
@@ -45,9 +45,9 @@ namespace RigidBodyDynamics
             }
 
             if (body.CanTurn)
-                parts.Add(_plan.Row.Rotation(body));
+                parts.Add(_plan.Rule.Rotation(body));
 
-            if (_plan.Row.Settings(body) is string settings)
+            if (_plan.Rule.Settings(body) is string settings)
                 parts.Add(settings);
 
             foreach (PushEffect push in stretch.Pushes)
@@ -60,7 +60,7 @@ namespace RigidBodyDynamics
         }
 
         /// <summary>True if the steps of a stretch are not taken until somebody looks.</summary>
-        public bool Coasts(StretchPlan stretch) => _plan.MayCoast && _plan.Row.Coasts(_plan.Body, Guard.NotNull(stretch, nameof(stretch)));
+        public bool Coasts(StretchPlan stretch) => _plan.MayCoast && _plan.Rule.Coasts(_plan.Body, Guard.NotNull(stretch, nameof(stretch)));
 
         /// <summary>From when to when a stretch lasts.</summary>
         public string Time(StretchPlan stretch)
@@ -78,7 +78,7 @@ namespace RigidBodyDynamics
         {
             const int MostStretches = 20;
             StringBuilder text = new StringBuilder();
-            text.Append(_plan.Body.Name).Append(", by ").Append(_plan.Row.Name).Append('\n');
+            text.Append(_plan.Body.Name).Append(", by ").Append(_plan.Rule.Name).Append('\n');
             for (int i = 0; i < Math.Min(MostStretches, _plan.Stretches.Count); i++)
             {
                 StretchPlan stretch = _plan.Stretches[i];
@@ -115,7 +115,7 @@ namespace RigidBodyDynamics
                 Add("rotation", "it starts without spin and nothing turns it", asked, Steps & ~Omissions.Rotation);
             else if (!asked.CanTurn)
                 Add("rotation", "the scene says that it cannot turn", null, Steps);
-            else if (_plan.Row.Simpler(_plan.Body) is string simpler)
+            else if (_plan.Rule.Simpler(_plan.Body) is string simpler)
                 Add("the general free rotation", simpler, ThreeMoments(asked), Steps);
 
             if ((_plan.LeftOut & Omissions.Translation) != 0)

@@ -27,7 +27,7 @@ namespace RigidBodyDynamics
             for (int i = 0; i < count; i++)
             {
                 BodyPlan plan = new BodyPlan(scene.Bodies[i], scene.Steps, mayLeaveOut);
-                _bodies[i] = plan.Row.Build(plan, _clock);
+                _bodies[i] = plan.Rule.Build(plan, _clock);
             }
 
             Sort();

@@ -15,7 +15,7 @@ namespace RigidBodyDynamics
         {
             Body = plan.Body.Name;
             Number = number;
-            Integrator = plan.Row.Name;
+            Rule = plan.Rule;
             Step = step;
             Time = plan.Steps.StartOf(step + 1);
             Reason = Why(plan, step);
@@ -27,8 +27,8 @@ namespace RigidBodyDynamics
         /// <summary>Its number in a batch; −1 where it is not in one.</summary>
         public int Number { get; }
 
-        /// <summary>Name of its rule.</summary>
-        public string Integrator { get; }
+        /// <summary>The rule by which it moves.</summary>
+        public Rule Rule { get; }
 
         /// <summary>The step, from 0, that does not lead to a state.</summary>
         public long Step { get; }
@@ -42,7 +42,7 @@ namespace RigidBodyDynamics
         private static string Why(BodyPlan plan, long step) => Guard.OneLine(string.Format(
             CultureInfo.InvariantCulture,
             "{0} has run away: no finite state at t = {1:R} s, after step {2}{3}",
-            plan.Row.Name,
+            plan.Rule.Name,
             plan.Steps.StartOf(step + 1),
             step,
             Acting(plan, step)));

@@ -118,7 +118,7 @@ namespace UnityEngine
         private BodyDescription Describe() => new BodyDescription("Rigidbody", MassProperties.FromPrincipal(
             mass, inertiaTensor.Exact(), inertiaTensorRotation.Exact(), centerOfMass.Exact()))
         {
-            Integrator = "UnityRigidbody",
+            Rule = Rules.UnityRigidbody,
             Unity = new UnitySettings
             {
                 Drag = _drag,

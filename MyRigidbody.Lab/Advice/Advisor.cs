@@ -5,7 +5,7 @@ namespace RigidBodyDynamics.Lab;
 /// <summary>Finds out by trying, at load time, by which rule and in which steps a scene should run.</summary>
 public static class Advisor
 {
-    /// <summary>Costs that differ by no more than this factor are the same to the clock; the row that stands first is then taken.</summary>
+    /// <summary>Costs that differ by no more than this factor are the same to the clock; the rule that stands first is then taken.</summary>
     public const double SameCost = 1.03;
 
     // both are measured once and may be luckily small, and masses and forces have last bits too
@@ -19,7 +19,7 @@ public static class Advisor
     /// <param name="error">The bound on the larger of the angle (rad) and the distance (m) to the true motion, at any time.</param>
     /// <param name="progress">Told the fraction that is done.</param>
     /// <remarks>
-    /// For every row of the catalogue the longest step in which the error, with what the truth itself is uncertain by, is below the bound;
+    /// For every rule of the catalogue the longest step in which the error, with what the truth itself is uncertain by, is below the bound;
     /// then the time of those. A rule is given up where its steps cost far more than the best of the others.
     /// </remarks>
     public static Advice Choose(Scene scene, double error, Action<double>? progress = null)
@@ -34,29 +34,29 @@ public static class Advisor
     {
         Guard.Positive(error, nameof(error));
         Guard.NotNull(truth, nameof(truth));
-        IReadOnlyDictionary<CatalogueRow, double> perStep = Probes.Of(scene, truth.Duration);
+        IReadOnlyDictionary<Rule, double> perStep = Probes.Of(scene, truth.Duration);
         progress?.Invoke(0.1);
         StepSearch search = new StepSearch(scene, truth, error);
         List<Trial> below = [];
-        foreach ((CatalogueRow row, int done) in Catalogue.Rows.OrderByDescending(row => row.Order).Select((row, i) => (row, i + 1)))
+        foreach ((Rule rule, int done) in Rules.All.OrderByDescending(rule => rule.Order).Select((rule, i) => (rule, i + 1)))
         {
             double[] costs = [.. below.Select(trial => trial.Cost).Order()];
             double most = costs.Length > 1 ? FarDearer * costs[1] : costs.Length > 0 ? FarDearerThanBest * costs[0] : double.PositiveInfinity;
-            Trial? longest = search.Longest(row, step => 1e-9 * perStep[row] / step > most);
+            Trial? longest = search.Longest(rule, step => 1e-9 * perStep[rule] / step > most);
             if (longest != null)
             {
-                longest.NanosecondsPerStep = perStep[row];
+                longest.NanosecondsPerStep = perStep[rule];
                 below.Add(longest);
             }
 
-            progress?.Invoke(0.1 + 0.7 * done / Catalogue.Rows.Count);
+            progress?.Invoke(0.1 + 0.7 * done / Rules.All.Count);
         }
 
         if (below.Count == 0)
             return new Advice(truth, search.Closest!, Why(truth, search, error));
 
         // as in the catalogue: of those that cost the same the first is taken
-        Trial[] inOrder = [.. Catalogue.Rows.SelectMany(row => below.Where(trial => trial.Row == row))];
+        Trial[] inOrder = [.. Rules.All.SelectMany(rule => below.Where(trial => trial.Rule == rule))];
         return new Advice(truth, new Contest(inOrder, done => progress?.Invoke(0.8 + 0.2 * done)));
     }
 

@@ -52,7 +52,7 @@ public sealed class BodyByBody
         }
 
         Trial[] oneRule = forAll.Reached
-            ? [.. alone.Select((body, i) => Trial.Of(body, own[i].Truth, forAll.Best.Row, forAll.Best.Step))]
+            ? [.. alone.Select((body, i) => Trial.Of(body, own[i].Truth, forAll.Best.Rule, forAll.Best.Step))]
             : [];
         List<Trial>[][] byStep = [.. StepsForAll(scene, own, forAll, step => AllBelow(alone, own, step, error)).OfType<List<Trial>[]>()];
 
@@ -94,5 +94,5 @@ public sealed class BodyByBody
     /// <summary>The rules that keep a body below the bound; in its own step only its own, which is known to be the cheapest.</summary>
     private static List<Trial> Below(Scene alone, Advice own, double step, double error) => own.Best.Step == step
         ? [own.Best]
-        : [.. Catalogue.Rows.Select(row => Trial.Of(alone, own.Truth, row, step, error, toItsEnd: false)).Where(trial => Advisor.IsBelow(trial, own.Truth, error))];
+        : [.. Rules.All.Select(rule => Trial.Of(alone, own.Truth, rule, step, error, toItsEnd: false)).Where(trial => Advisor.IsBelow(trial, own.Truth, error))];
 }

@@ -29,23 +29,23 @@ internal sealed class Refinement
     /// <summary>The path, how far the one in steps twice as long was from it at all of its states, and what the last bit of the start changes.</summary>
     public (MotionPath Path, double Uncertainty, double Floor) Run(double still, Action<double> progress)
     {
-        (MotionPath? Path, string Integrator, int Parts, double Change) best = (null, string.Empty, 0, double.PositiveInfinity);
-        foreach (string integrator in new[] { HighestOrder(), "RungeKutta4" })
+        (MotionPath? Path, Rule Rule, int Parts, double Change) best = (null, Rules.Default, 0, double.PositiveInfinity);
+        foreach (Rule rule in new[] { HighestOrder(), Rules.RungeKutta4 })
         {
             double before = double.PositiveInfinity;
             int slow = 0;
             bool rounds = false;
-            MotionPath? last = Path(integrator, 1, 0);
+            MotionPath? last = Path(rule, 1, 0);
             for (int parts = 2; Intervals(parts).Sum() <= MostIntervals && best.Change > still && slow < 2 && !rounds; parts *= 2)
             {
-                MotionPath? next = Path(integrator, parts, 0);
+                MotionPath? next = Path(rule, parts, 0);
                 double change = Apart(last, next);
                 progress(Math.Min(1, Intervals(parts).Sum() / (double)MostIntervals));
                 // a small change that grows again is made of roundings
                 rounds = change >= before && before < NearlyStill;
                 slow = before < double.PositiveInfinity && change < 0.01 && before < SlowestGain * change ? slow + 1 : 0;
                 if (change < best.Change)
-                    best = (next, integrator, parts, change);
+                    best = (next, rule, parts, change);
 
                 last = next;
                 before = change;
@@ -61,20 +61,20 @@ internal sealed class Refinement
         if (best.Path == null)
             throw Guard.Refused("body", _body.Name, "must have a motion without infinite numbers");
 
-        return (best.Path, best.Change, Math.Min(Apart(best.Path, Path(best.Integrator, best.Parts, LastBit)), double.MaxValue));
+        return (best.Path, best.Change, Math.Min(Apart(best.Path, Path(best.Rule, best.Parts, LastBit)), double.MaxValue));
     }
 
-    private static string HighestOrder()
+    private static Rule HighestOrder()
     {
-        CatalogueRow highest = Catalogue.Rows[0];
-        foreach (CatalogueRow row in Catalogue.Rows)
+        Rule highest = Rules.All[0];
+        foreach (Rule rule in Rules.All)
         {
             // Unity's rule has limits of its own
-            if (row.Order >= highest.Order && row.Name != "UnityRigidbody")
-                highest = row;
+            if (rule.Order >= highest.Order && rule != Rules.UnityRigidbody)
+                highest = rule;
         }
 
-        return highest.Name;
+        return highest;
     }
 
     /// <summary>How many intervals there are between two cuts.</summary>
@@ -85,7 +85,7 @@ internal sealed class Refinement
     }
 
     /// <summary>The motion from a start that is moved by a part of itself; null where the steps are too long for the effects.</summary>
-    private MotionPath? Path(string integrator, int parts, double nudge)
+    private MotionPath? Path(Rule rule, int parts, double nudge)
     {
         int[] intervals = [.. Intervals(parts)];
         List<double> lengths = [];
@@ -94,7 +94,7 @@ internal sealed class Refinement
 
         BodyDescription body = _body.Copy(_body.Name, _body.Mass);
         BodyState s = body.Start;
-        body.Integrator = integrator;
+        body.Rule = rule;
         body.Start = new BodyState(
             Nudged(s.Position, nudge),
             new Quaterniond(s.Orientation.W * (1 + nudge), Nudged(s.Orientation.Vector, -nudge)),

@@ -38,13 +38,13 @@ public static class StepFree
     }
 
     /// <summary>The scene with other steps and another rule for every body.</summary>
-    internal static Scene By(Scene scene, string integrator, TimeSteps steps)
+    internal static Scene By(Scene scene, Rule rule, TimeSteps steps)
     {
         BodyDescription[] bodies = new BodyDescription[scene.Bodies.Count];
         for (int i = 0; i < bodies.Length; i++)
         {
             bodies[i] = scene.Bodies[i].Copy(scene.Bodies[i].Name, scene.Bodies[i].Mass);
-            bodies[i].Integrator = integrator;
+            bodies[i].Rule = rule;
         }
 
         return new Scene(scene.Name, scene.About, steps, bodies);

@@ -38,9 +38,9 @@ internal sealed class StepSearch
     public bool MeetsEffects => !_hasEffectsInTime || _aligned.Count > 0;
 
     /// <summary>The trial in the longest step that keeps the error; null if there is none.</summary>
-    /// <param name="row">The rule.</param>
+    /// <param name="rule">The rule.</param>
     /// <param name="isTooDear">True for a step that is too short to be worth it; the search then ends.</param>
-    public Trial? Longest(CatalogueRow row, Func<double, bool> isTooDear)
+    public Trial? Longest(Rule rule, Func<double, bool> isTooDear)
     {
         // those that meet the effects, and the others, whose errors say nothing of each other
         Passed met = new(), missed = new();
@@ -55,7 +55,7 @@ internal sealed class StepSearch
                 break;
 
             long count = StepSizes.Count(_truth.Duration, step);
-            Trial trial = Trial.Of(_scene, _truth, row, step, _error, toItsEnd: count > (misses ? VeryLongRun : LongRun));
+            Trial trial = Trial.Of(_scene, _truth, rule, step, _error, toItsEnd: count > (misses ? VeryLongRun : LongRun));
             if (Advisor.IsBelow(trial, _truth, _error))
                 return trial;
 
@@ -71,7 +71,7 @@ internal sealed class StepSearch
             kind.Error = trial.Error;
             // what misses an effect is off by the size of the step, whatever the rule
             if (count > LongRun && Guard.IsFinite(trial.Error))
-                kind.Below = Math.Min(kind.Below, step * Beside * Math.Pow(_error / trial.Error, misses ? 1 : 1.0 / row.Order));
+                kind.Below = Math.Min(kind.Below, step * Beside * Math.Pow(_error / trial.Error, misses ? 1 : 1.0 / rule.Order));
         }
 
         return null;
@@ -80,7 +80,7 @@ internal sealed class StepSearch
     private void Note(Trial trial)
     {
         bool isClosest = Closest is null || trial.Error < Closest.Error;
-        RisesAgain = !isClosest && (RisesAgain || trial.Row == Closest!.Row);
+        RisesAgain = !isClosest && (RisesAgain || trial.Rule == Closest!.Rule);
         Closest = isClosest ? trial : Closest;
     }
 

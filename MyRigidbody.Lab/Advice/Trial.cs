@@ -3,15 +3,15 @@ namespace RigidBodyDynamics.Lab;
 /// <summary>One rule at one step on one scene: how far it is from the truth, and what it costs.</summary>
 public sealed class Trial
 {
-    private Trial(Scene scene, CatalogueRow row, double step)
+    private Trial(Scene scene, Rule rule, double step)
     {
         Scene = scene;
-        Row = row;
+        Rule = rule;
         Step = step;
     }
 
     /// <summary>The rule.</summary>
-    public CatalogueRow Row { get; }
+    public Rule Rule { get; }
 
     /// <summary>Length of its steps, s.</summary>
     public double Step { get; }
@@ -51,15 +51,15 @@ public sealed class Trial
     /// <summary>Runs a scene once, as <c>run</c> does, and compares it with the truth at the end of every step and between.</summary>
     /// <param name="scene">Taken as <see cref="StepFree"/> makes it.</param>
     /// <param name="truth">Its motion.</param>
-    /// <param name="row">The rule.</param>
+    /// <param name="rule">The rule.</param>
     /// <param name="step">Length of its steps, s.</param>
     /// <param name="most">With an error above it a run is not looked at between its steps.</param>
     /// <param name="toItsEnd">False: nor is it then run to its end.</param>
-    public static Trial Of(Scene scene, Truth truth, CatalogueRow row, double step, double most = double.PositiveInfinity, bool toItsEnd = true)
+    public static Trial Of(Scene scene, Truth truth, Rule rule, double step, double most = double.PositiveInfinity, bool toItsEnd = true)
     {
         Guard.NotNull(truth, nameof(truth));
         TimeSteps steps = TimeSteps.Until(truth.Duration, step);
-        Trial trial = new Trial(StepFree.By(StepFree.Of(scene), Guard.NotNull(row, nameof(row)).Name, steps), row, step);
+        Trial trial = new Trial(StepFree.By(StepFree.Of(scene), Guard.NotNull(rule, nameof(rule)), steps), rule, step);
         try
         {
             Deviation[] found = [.. trial.Scene.Bodies.Select(body => new Deviation())], halfway = [.. found.Select(_ => new Deviation())];

@@ -80,7 +80,7 @@ internal sealed record OtherEngines(IReadOnlyList<OtherEngines.Row> Rows, string
     private static double Error(CostMotion motion, string rule)
     {
         // what run gives, at its worst: one end value may be luck
-        Simulation simulation = new(StepFree.By(motion.Scene, rule, TimeSteps.Every(Step)));
+        Simulation simulation = new(StepFree.By(motion.Scene, Rules.Named(rule), TimeSteps.Every(Step)));
         double worst = 0;
         foreach (TruthSample sample in motion.Truth.Samples)
         {

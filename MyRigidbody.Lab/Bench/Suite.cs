@@ -22,8 +22,8 @@ internal static class Suite
     }
 
     /// <summary>A body that nothing pushes by every rule.</summary>
-    public static IReadOnlyList<Measurement> Rules() =>
-        [.. Catalogue.Rows.Select(row => Alone("free body by " + row.Name, Body(row.Name, new Vector3d(1, 2, 3))))];
+    public static IReadOnlyList<Measurement> ByRule() =>
+        [.. Rules.All.Select(rule => Alone("free body by " + rule.Name, Body(rule.Name, new Vector3d(1, 2, 3))))];
 
     /// <summary>Each effect on, in the scene but idle, and absent.</summary>
     public static IReadOnlyList<Measurement> Effects()
@@ -179,7 +179,7 @@ internal static class Suite
 
     private static BodyDescription Body(string rule, Vector3d moments) => new("body", MassProperties.FromPrincipal(1, moments))
     {
-        Integrator = rule,
+        Rule = Rules.Named(rule),
         Start = new BodyState(Vector3d.Zero, Quaterniond.Identity, new Vector3d(1, 2, 3), new Vector3d(1, 1.1, 0.9)),
         Unity = new UnitySettings { MaxAngularVelocity = double.PositiveInfinity },
     };

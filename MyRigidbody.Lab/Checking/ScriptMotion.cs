@@ -35,8 +35,8 @@ internal static class ScriptMotion
         // all start in one place, so that they stand side by side
         Quaterniond start = new Quaterniond(turn.W, turn.X, turn.Y, turn.Z).Normalized;
 
-        BodyDescription reference = new BodyDescription(CheckWords.All["reference"].En + " · " + of, points) { Integrator = "LabEuler" }.With(new DecayPerStep(0.98, 0.98));
-        BodyDescription unity = new(CheckWords.All["unity"].En + " · " + of, solid) { Integrator = "UnityRigidbody" };
+        BodyDescription reference = new BodyDescription(CheckWords.All["reference"].En + " · " + of, points) { Rule = Rules.LabEuler }.With(new DecayPerStep(0.98, 0.98));
+        BodyDescription unity = new(CheckWords.All["unity"].En + " · " + of, solid) { Rule = Rules.UnityRigidbody };
         PerStep pushes = new([.. run.Frames.Take(frames).Select(Force)], [.. run.Frames.Take(frames).Select(Torque)]);
         BodyDescription[] others = [reference.With(pushes), unity.With(pushes)];
         foreach (BodyDescription other in others)

@@ -26,7 +26,7 @@ internal static class BenchCommand
             ?? throw new InputException($"{file}: is a folder");
         (string Title, IReadOnlyList<Measurement> Group)[] groups =
         [
-            ("One body, turning freely", Suite.Rules()),
+            ("One body, turning freely", Suite.ByRule()),
             ("The lab's step", Suite.ByHand()),
             ("Effects", Suite.Effects()),
             ("What a body is", Suite.Shapes()),

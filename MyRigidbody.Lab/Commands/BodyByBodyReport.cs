@@ -18,7 +18,7 @@ internal static class BodyByBodyReport
         {
             Trial own = found.Own[i].Best;
             string[] inOneStep = sharesStep ? Cells(found.OneStep[i]) : [];
-            string[] cells = [scene.Bodies[i].Name + (found.Own[i].Reached ? string.Empty : " (closest)"), own.Row.Name, CostTables.ExactStep(own.Step), .. Cells(own)[1..], .. inOneStep];
+            string[] cells = [scene.Bodies[i].Name + (found.Own[i].Reached ? string.Empty : " (closest)"), own.Rule.Name, CostTables.ExactStep(own.Step), .. Cells(own)[1..], .. inOneStep];
             table.AddRow(cells);
         }
 
@@ -46,7 +46,7 @@ internal static class BodyByBodyReport
         name = body.Name,
         reached = own.Reached,
         reason = own.Reached ? null : own.Reason,
-        integrator = own.Best.Row.Name,
+        integrator = own.Best.Rule.Name,
         step = own.Best.Step,
         measuredError = OrNull(own.Best.Error),
         secondsPerSimulatedSecond = OrNull(own.Best.Cost),
@@ -59,7 +59,7 @@ internal static class BodyByBodyReport
         bodies = scene.Bodies.Zip(found.OneStep, (body, trial) => new
         {
             name = body.Name,
-            integrator = trial.Row.Name,
+            integrator = trial.Rule.Name,
             measuredError = OrNull(trial.Error),
             secondsPerSimulatedSecond = OrNull(trial.Cost),
         }),
@@ -78,7 +78,7 @@ internal static class BodyByBodyReport
         double oneRule = forAll.Reached ? BodyByBody.CostOf(found.OneRule) : double.NaN;
         if (forAll.Reached)
         {
-            yield return $"{Number(oneRule)} by {forAll.Best.Row.Name} in steps of {CostTables.Step(forAll.Best.Step)} s";
+            yield return $"{Number(oneRule)} by {forAll.Best.Rule.Name} in steps of {CostTables.Step(forAll.Best.Step)} s";
         }
 
         if (found.Reached)
@@ -102,7 +102,7 @@ internal static class BodyByBodyReport
 
     private static string Number(double seconds) => CostTables.Number(1e6 * seconds);
 
-    private static string[] Cells(Trial trial) => [trial.Row.Name, CostTables.Error(trial.Error), Number(trial.Cost)];
+    private static string[] Cells(Trial trial) => [trial.Rule.Name, CostTables.Error(trial.Error), Number(trial.Cost)];
 
     private static double? OrNull(double value) => Guard.IsFinite(value) ? value : null;
 }

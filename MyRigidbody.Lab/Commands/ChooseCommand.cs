@@ -47,7 +47,7 @@ internal static class ChooseCommand
             double share = scene.Bodies.Count == 1 ? 1 : 0.5;
             advice = Overrides.Named(path, () => Advisor.Choose(scene, error, done => report(share * done)));
             // the lab's step beside the chosen one, in turns
-            lab = Trial.Of(scene, advice.Truth, Catalogue.Find("LabEuler"), advice.Best.Step);
+            lab = Trial.Of(scene, advice.Truth, Rules.LabEuler, advice.Best.Step);
             StepClock.Take([lab, advice.Best], SecondsPerTurn, Turns);
             if (scene.Bodies.Count > 1)
             {
@@ -89,13 +89,13 @@ internal static class ChooseCommand
         Terminal.WriteText("µs per s: per simulated second and body. × lab: a step, in steps of LabEuler.");
         if (advice.RunnerUp != null)
         {
-            string how = FormattableString.Invariant($"in {advice.RoundsWon} of {advice.Rounds} rounds of measurement {advice.Best.Row.Name} was the cheaper");
-            Terminal.WriteText($"{advice.RunnerUp.Row.Name} costs {CostTables.Number(advice.Factor)} times as much as {advice.Best.Row.Name}: {how}{(advice.IsTie ? "; a tie, to this clock" : string.Empty)}.");
+            string how = FormattableString.Invariant($"in {advice.RoundsWon} of {advice.Rounds} rounds of measurement {advice.Best.Rule.Name} was the cheaper");
+            Terminal.WriteText($"{advice.RunnerUp.Rule.Name} costs {CostTables.Number(advice.Factor)} times as much as {advice.Best.Rule.Name}: {how}{(advice.IsTie ? "; a tie, to this clock" : string.Empty)}.");
         }
 
         if (advice.Reached)
         {
-            Terminal.WriteText($"To have it: {Shell.Line("run", path, "--integrator", advice.Best.Row.Name, "--step", CostTables.ExactStep(advice.Best.Step))}");
+            Terminal.WriteText($"To have it: {Shell.Line("run", path, "--integrator", advice.Best.Rule.Name, "--step", CostTables.ExactStep(advice.Best.Step))}");
             foreach ((string place, double linear, double angular) in StepFree.Rates(scene))
             {
                 Terminal.WriteText(FormattableString.Invariant($$"""with, in place of {{place}}, { "linearDamping": {{linear:R}} }, { "angularDamping": {{angular:R}} }: in other steps its factor is another drag."""));
@@ -104,7 +104,7 @@ internal static class ChooseCommand
 
         void Add(string what, Trial trial) => table.AddRow(
             what,
-            trial.Row.Name,
+            trial.Rule.Name,
             CostTables.ExactStep(trial.Step),
             CostTables.Error(trial.Error),
             CostTables.Number(1e6 * trial.Cost),
@@ -119,7 +119,7 @@ internal static class ChooseCommand
             error,
             reached = advice.Reached,
             reason = advice.Reached ? null : advice.Reason,
-            integrator = advice.Best.Row.Name,
+            integrator = advice.Best.Rule.Name,
             step = advice.Best.Step,
             measuredError = OrNull(advice.Best.Error),
             secondsPerSimulatedSecond = OrNull(advice.Best.Cost),
@@ -127,7 +127,7 @@ internal static class ChooseCommand
             stepsOfTheLab = OrNull(advice.Best.NanosecondsPerStep / lab.NanosecondsPerStep),
             runnerUp = advice.RunnerUp == null ? null : new
             {
-                integrator = advice.RunnerUp.Row.Name,
+                integrator = advice.RunnerUp.Rule.Name,
                 step = advice.RunnerUp.Step,
                 measuredError = advice.RunnerUp.Error,
                 secondsPerSimulatedSecond = advice.RunnerUp.Cost,

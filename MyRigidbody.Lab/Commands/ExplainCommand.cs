@@ -37,7 +37,7 @@ internal static class ExplainCommand
             Body body = crowd is null ? simulation.Bodies[i] : together.Bodies[i];
             Explanation explanation = new(body.Plan);
             string words = explanation.ToString();
-            string key = body.Integrator + words[words.IndexOf('\n', StringComparison.Ordinal)..];
+            string key = body.Rule.Name + words[words.IndexOf('\n', StringComparison.Ordinal)..];
             string name = crowd is null ? body.Name : $"{body.Name} ({crowd.Count} bodies, together)";
             if (known.TryGetValue(key, out Explained? like))
             {
@@ -96,7 +96,7 @@ internal static class ExplainCommand
         public IEnumerable<string> Lines()
         {
             string names = string.Join(", ", Names.Take(MostNames)) + (Names.Count > MostNames ? $" and {Names.Count - MostNames} bodies more" : string.Empty);
-            List<string> lines = [$"{names}, by {Plan.Row.Name}"];
+            List<string> lines = [$"{names}, by {Plan.Rule.Name}"];
             foreach (StretchPlan stretch in Plan.Stretches.Take(MostStretches))
             {
                 lines.Add($"  {Explanation.Time(stretch)}: {string.Join(", ", Explanation.Parts(stretch))}"
@@ -122,7 +122,7 @@ internal static class ExplainCommand
         public object ToJson() => new
         {
             names = Names,
-            integrator = Plan.Row.Name,
+            integrator = Plan.Rule.Name,
             stretches = Plan.Stretches.Select(stretch => new
             {
                 from = Plan.Steps.StartOf(stretch.First),

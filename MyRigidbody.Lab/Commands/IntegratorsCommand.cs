@@ -22,24 +22,24 @@ internal static class IntegratorsCommand
     {
         if (json)
         {
-            var rows = Catalogue.Rows.Select(row => new
+            var rows = Rules.All.Select(rule => new
             {
-                name = row.Name,
-                order = row.Order,
-                keeps = row.Keeps.ToString().Split(", "),
-                cost = row.Cost.ToString(),
-                isDefault = row == Catalogue.Default,
-                about = row.About,
+                name = rule.Name,
+                order = rule.Order,
+                keeps = rule.Keeps.ToString().Split(", "),
+                cost = rule.Cost.ToString(),
+                isDefault = rule == Rules.Default,
+                about = rule.About,
             });
             Terminal.WriteJson(JsonSerializer.Serialize(rows, Indented));
             return 0;
         }
 
         TextTable table = new("integrator", "order", "keeps, turning freely", "a step costs", "what it is");
-        foreach (CatalogueRow row in Catalogue.Rows)
+        foreach (Rule rule in Rules.All)
         {
-            string name = row == Catalogue.Default ? row.Name + " (default)" : row.Name;
-            table.AddRow(name, row.Order.ToString(CultureInfo.InvariantCulture), Words(row.Keeps), Words(row.Cost), row.About);
+            string name = rule == Rules.Default ? rule.Name + " (default)" : rule.Name;
+            table.AddRow(name, rule.Order.ToString(CultureInfo.InvariantCulture), Words(rule.Keeps), Words(rule.Cost), rule.About);
         }
 
         Terminal.Write(table);

@@ -8,10 +8,10 @@ internal static class Overrides
     {
         if (integrator != null)
         {
-            Named("--integrator", () => Catalogue.Find(integrator));
+            Rule rule = Named("--integrator", () => Rules.Named(integrator));
             foreach (BodyDescription body in scene.Bodies)
             {
-                body.Integrator = integrator;
+                body.Rule = rule;
             }
         }
 

@@ -41,7 +41,7 @@ internal static class PackCommand
     {
         IReadOnlyList<Asset> assets = PackageReader.Read(path);
         Print(assets, new FileInfo(path).Length);
-        (string Path, string? Why)[] dangers = [.. assets.Select(asset => (asset.Path, Rules.Danger(asset.Path))).Where(danger => danger.Item2 != null)];
+        (string Path, string? Why)[] dangers = [.. assets.Select(asset => (asset.Path, AssetRules.Danger(asset.Path))).Where(danger => danger.Item2 != null)];
         return dangers.Length == 0
             ? 0
             : throw new FellShortException($"{path}: do not import it: \"{dangers[0].Path}\" {dangers[0].Why}" + (dangers.Length > 1 ? $", and {dangers.Length - 1} paths more are like that" : string.Empty));

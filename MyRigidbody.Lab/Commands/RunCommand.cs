@@ -165,7 +165,7 @@ internal static class RunCommand
     {
         if (!IsFinite(state, body.Mass))
         {
-            throw new FellShortException($"{path}: body {name}: {body.Integrator} has run away: no finite energy or angular momentum after step {step}");
+            throw new FellShortException($"{path}: body {name}: {body.Rule.Name} has run away: no finite energy or angular momentum after step {step}");
         }
     }
 }

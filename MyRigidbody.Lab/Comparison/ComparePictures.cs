@@ -46,7 +46,7 @@ internal static class ComparePictures
         Add(plot, shares, share => share.Turn / found.Shares.Whole.MeanTurn, -0.2, Fill(Orange, new Striped()));
         plot.Axes.Left.SetTicks(
             [.. Enumerable.Range(0, shares.Count).Select(i => (double)(shares.Count - 1 - i))],
-            [.. shares.Select(share => share.Rule.Name)]);
+            [.. shares.Select(share => share.Difference.Name)]);
         plot.Axes.Left.TickLabelStyle.FontSize = 16;
         plot.XLabel("share, %", 16);
         plot.Axes.Margins(bottom: 0.08, top: 0.08, left: 0.12, right: 0.12);

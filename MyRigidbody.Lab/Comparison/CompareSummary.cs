@@ -47,15 +47,15 @@ internal static class CompareSummary
     private static object Pair(Findings found) => new
     {
         mine = found.Pair.Mine.Name,
-        integrator = found.Pair.Mine.Integrator,
+        integrator = found.Pair.Mine.Rule.Name,
         unitys = found.Pair.Default.Name,
         inWords = CompareTables.InWords(found),
         whole = Apart(found.Shares.Whole),
         rules = found.Shares.Shares.Select(share => new
         {
-            rule = share.Rule.Name,
-            mine = share.Rule.Mine,
-            unitys = share.Rule.Unitys,
+            rule = share.Difference.Name,
+            mine = share.Difference.Mine,
+            unitys = share.Difference.Unitys,
             distanceShare = share.Distance,
             turnShare = share.Turn,
             alone = Apart(share.Alone),

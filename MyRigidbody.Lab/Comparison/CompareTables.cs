@@ -11,7 +11,7 @@ internal static class CompareTables
     /// <summary>The motion, the rules and the frame rates of a pair.</summary>
     public static void Print(Findings found)
     {
-        Terminal.WriteText($"{found.Pair.Mine.Name} ({found.Pair.Mine.Integrator}) beside {found.Pair.Default.Name} ({found.Pair.Default.Integrator}), in s, m, rad/s, °");
+        Terminal.WriteText($"{found.Pair.Mine.Name} ({found.Pair.Mine.Rule.Name}) beside {found.Pair.Default.Name} ({found.Pair.Default.Rule.Name}), in s, m, rad/s, °");
         Terminal.Write(Motion(found));
         Terminal.WriteText("Why they part: what is different");
         Terminal.Write(Differences(found.Shares));
@@ -65,7 +65,7 @@ internal static class CompareTables
         TextTable table = new("rule", "mine", "Unity's");
         foreach (RuleShare share in found.Shares)
         {
-            table.AddRow(share.Rule.Name, share.Rule.Mine, share.Rule.Unitys);
+            table.AddRow(share.Difference.Name, share.Difference.Mine, share.Difference.Unitys);
         }
 
         return table;
@@ -77,7 +77,7 @@ internal static class CompareTables
         foreach (RuleShare share in found.Shares)
         {
             table.AddRow(
-                share.Rule.Name,
+                share.Difference.Name,
                 $"{Length(share.Distance)} m {Percent(share.Distance, found.Whole.MeanDistance),8}",
                 $"{Degrees(share.Turn)}° {Percent(share.Turn, found.Whole.MeanTurn),8}",
                 $"{Length(share.Alone.MeanDistance)} m {Degrees(share.Alone.MeanTurn),8}°");
@@ -111,7 +111,7 @@ internal static class CompareTables
     private static string Makers(IReadOnlyList<RuleShare> shares, Func<RuleShare, double> of, double whole)
     {
         string[] makers = [.. shares.Where(share => Math.Abs(of(share)) >= 0.01 * whole && whole > 0)
-            .Select(share => $"{share.Rule.Name} {Percent(of(share), whole)}")];
+            .Select(share => $"{share.Difference.Name} {Percent(of(share), whole)}")];
         return makers.Length > 0 ? ": " + string.Join(", ", makers) + "." : ".";
     }
 
@@ -130,9 +130,9 @@ internal static class CompareTables
 
     internal static string Ratio(double ratio) => Guard.IsFinite(ratio) ? Fixed(ratio, 2) : "–";
 
-    private static string IfNotTheLabs(Findings found) => found.Pair.Mine.Integrator == "LabEuler"
+    private static string IfNotTheLabs(Findings found) => found.Pair.Mine.Rule == Rules.LabEuler
         ? string.Empty
-        : $" (with {found.Pair.Mine.Integrator}, for the other rules are exchanged in the lab's steps)";
+        : $" (with {found.Pair.Mine.Rule.Name}, for the other rules are exchanged in the lab's steps)";
 
     private static string Fixed(double value, int digits)
     {

@@ -3,9 +3,6 @@ namespace RigidBodyDynamics.Lab.Comparison;
 /// <summary>A body that moves by a rule of ours, and the Rigidbody that Unity would make of it.</summary>
 internal sealed record Pair(BodyDescription Mine, BodyDescription Default)
 {
-    /// <summary>Name of Unity's row in the catalogue.</summary>
-    public const string UnityRow = "UnityRigidbody";
-
     /// <summary>
     /// The pairs of a scene: a body of Unity's belongs to the body before it; a body that none belongs to gets one
     /// with Unity's defaults.
@@ -16,18 +13,18 @@ internal sealed record Pair(BodyDescription Mine, BodyDescription Default)
         IReadOnlyList<BodyDescription> bodies = file.Scene.Bodies;
         for (int i = 0; i < bodies.Count; i++)
         {
-            if (bodies[i].Integrator == UnityRow)
+            if (bodies[i].Rule == Rules.UnityRigidbody)
             {
                 continue;
             }
 
-            bool isNextUnitys = i + 1 < bodies.Count && bodies[i + 1].Integrator == UnityRow;
+            bool isNextUnitys = i + 1 < bodies.Count && bodies[i + 1].Rule == Rules.UnityRigidbody;
             pairs.Add(new Pair(bodies[i], isNextUnitys ? bodies[i + 1] : InUnity(bodies[i], file.SolidBoxes)));
         }
 
         return pairs.Count > 0
             ? pairs
-            : throw new InputException($"{file.Path}: bodies: there is none to compare with {UnityRow}, all of them are it");
+            : throw new InputException($"{file.Path}: bodies: there is none to compare with {Rules.UnityRigidbody}, all of them are it");
     }
 
     /// <summary>What an object with these settings is in Unity: its collider's inertia, drag for damping.</summary>
@@ -35,12 +32,12 @@ internal sealed record Pair(BodyDescription Mine, BodyDescription Default)
     {
         BodyDescription unity = mine.Copy(mine.Name + " in Unity", solidBoxes.GetValueOrDefault(mine.Name, mine.Mass));
         Coasting coasting = Coasting.Free;
-        foreach (Effect effect in mine.Effects.Where(Rule.IsDamping))
+        foreach (Effect effect in mine.Effects.Where(Difference.IsDamping))
         {
             ((ICoast)effect.Motion).AddTo(ref coasting);
         }
 
-        unity.Integrator = UnityRow;
+        unity.Rule = Rules.UnityRigidbody;
         unity.Unity = new UnitySettings();
         // a rate is what Unity calls drag; a factor per step has no counterpart there and goes
         if (coasting.LinearDampingRate > 0 || coasting.AngularDampingRate > 0)
@@ -49,6 +46,6 @@ internal sealed record Pair(BodyDescription Mine, BodyDescription Default)
             unity.Unity.AngularDrag = coasting.AngularDampingRate;
         }
 
-        return unity.Without(effect => Rule.IsDamping(effect));
+        return unity.Without(effect => Difference.IsDamping(effect));
     }
 }

@@ -59,7 +59,7 @@ internal sealed class RecordingComparison
         Motion motion = Motion.Of(file, Words.All["recorded"].With(file.Scene.Bodies[0].Name).En, found._course);
         foreach (string format in new[] { ".png", ".svg" })
         {
-            files.Write("apart" + format, to => Pictures.Save(ComparePictures.Apart($"{file.Scene.Name}: how far {file.Scene.Bodies[0].Integrator} is from the recording", found._course), to));
+            files.Write("apart" + format, to => Pictures.Save(ComparePictures.Apart($"{file.Scene.Name}: how far {file.Scene.Bodies[0].Rule.Name} is from the recording", found._course), to));
         }
 
         MotionPictures.Write(file.Scene.Name, motion, files);
@@ -137,8 +137,8 @@ internal sealed class RecordingComparison
     }
 
     private Word Lead(Scene scene) => _parts == null
-        ? Words.All["recording.same"].With(scene.Bodies[0].Integrator, scene.Steps.Count)
-        : Words.All["recording.parts"].With(scene.Bodies[0].Integrator, _parts);
+        ? Words.All["recording.same"].With(scene.Bodies[0].Rule.Name, scene.Steps.Count)
+        : Words.All["recording.parts"].With(scene.Bodies[0].Rule.Name, _parts);
 
     private IEnumerable<RecordingTable.Row> Rows() => _judged.Select((part, i) => new RecordingTable.Row(
         Words.Phrase(part.Name),

@@ -1,11 +1,11 @@
 namespace RigidBodyDynamics.Lab.Comparison;
 
 /// <summary>What one rule contributes to the difference of a pair.</summary>
-/// <param name="Rule">The rule.</param>
+/// <param name="Difference">What was exchanged.</param>
 /// <param name="Distance">How far its exchange, in turn, moves the body on the way from mine to Unity's, mean over the run, m.</param>
 /// <param name="Turn">The same for the turning, rad.</param>
 /// <param name="Alone">How far mine is from itself when this rule and no other is exchanged.</param>
-internal sealed record RuleShare(Rule Rule, double Distance, double Turn, Apart Alone);
+internal sealed record RuleShare(Difference Difference, double Distance, double Turn, Apart Alone);
 
 /// <summary>
 /// Explains the difference of a pair. Between mine and Unity's stand the bodies in which the first, the first two, ...
@@ -18,7 +18,7 @@ internal sealed record RuleShares(Apart Whole, IReadOnlyList<RuleShare> Shares)
     /// <summary>Runs the pair and everything between it.</summary>
     public static RuleShares Of(Pair pair, TimeSteps steps)
     {
-        IReadOnlyList<Rule> rules = Rule.Between(pair);
+        IReadOnlyList<Difference> rules = Difference.Between(pair);
         int count = rules.Count;
         SideBySide run = new(steps, [.. Between(pair, rules), .. Alone(pair, rules)]);
         Apart whole = new();
@@ -40,11 +40,11 @@ internal sealed record RuleShares(Apart Whole, IReadOnlyList<RuleShare> Shares)
     }
 
     /// <summary>Mine, the bodies between, and Unity's: one more than there are rules.</summary>
-    private static IEnumerable<BodyDescription> Between(Pair pair, IReadOnlyList<Rule> rules)
+    private static IEnumerable<BodyDescription> Between(Pair pair, IReadOnlyList<Difference> rules)
     {
         yield return pair.Mine;
-        BodyDescription now = Rule.LabInUnitysShape(pair.Mine);
-        foreach (Rule rule in rules.SkipLast(1))
+        BodyDescription now = Difference.LabInUnitysShape(pair.Mine);
+        foreach (Difference rule in rules.SkipLast(1))
         {
             now = rule.Exchange(now);
             yield return now;
@@ -53,8 +53,8 @@ internal sealed record RuleShares(Apart Whole, IReadOnlyList<RuleShare> Shares)
         yield return pair.Default;
     }
 
-    private static IEnumerable<BodyDescription> Alone(Pair pair, IReadOnlyList<Rule> rules) =>
-        rules.Select(rule => rule.Exchange(Rule.LabInUnitysShape(pair.Mine)));
+    private static IEnumerable<BodyDescription> Alone(Pair pair, IReadOnlyList<Difference> rules) =>
+        rules.Select(rule => rule.Exchange(Difference.LabInUnitysShape(pair.Mine)));
 
     private static Vector3d Direction(Vector3d v) => v.IsZero ? v : v / v.Length;
 }

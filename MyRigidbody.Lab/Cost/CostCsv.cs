@@ -22,7 +22,7 @@ internal static class CostCsv
             {
                 text.Append(
                     CultureInfo.InvariantCulture,
-                    $"{scene},{t.Row.Name},{t.Row.Order},{t.Step:R},{t.Steps},{t.AngleError:R},{t.PositionError:R},{t.EnergyDrift:R},{t.MomentumDrift:R},{t.NanosecondsPerStep:R},{t.Cost:R}\n");
+                    $"{scene},{t.Rule.Name},{t.Rule.Order},{t.Step:R},{t.Steps},{t.AngleError:R},{t.PositionError:R},{t.EnergyDrift:R},{t.MomentumDrift:R},{t.NanosecondsPerStep:R},{t.Cost:R}\n");
             }
         }
 

@@ -2,7 +2,7 @@ namespace RigidBodyDynamics.Lab;
 
 /// <summary>Every rule of the catalogue on one motion, in steps of many lengths.</summary>
 /// <param name="Motion">The motion.</param>
-/// <param name="Trials">The trials, row by row, from the longest step down.</param>
+/// <param name="Trials">The trials, rule by rule, from the longest step down.</param>
 internal sealed record CostFindings(CostMotion Motion, IReadOnlyList<Trial> Trials)
 {
     /// <summary>Errors for which the cheapest rule is named.</summary>
@@ -20,12 +20,12 @@ internal sealed record CostFindings(CostMotion Motion, IReadOnlyList<Trial> Tria
         double last = motion.Truth.Duration / motion.Truth.BaseStep;
         int[] parts = [.. Parts.Take(effort.StepSizes).Where(parts => last * parts <= MostSteps)];
         List<Trial> trials = [];
-        foreach (CatalogueRow row in Catalogue.Rows)
+        foreach (Rule rule in Rules.All)
         {
             foreach (int part in parts)
             {
-                trials.Add(Trial.Of(motion.Scene, motion.Truth, row, motion.Truth.BaseStep / part));
-                report(0.5 * trials.Count / (Catalogue.Rows.Count * parts.Length));
+                trials.Add(Trial.Of(motion.Scene, motion.Truth, rule, motion.Truth.BaseStep / part));
+                report(0.5 * trials.Count / (Rules.All.Count * parts.Length));
             }
         }
 
@@ -33,19 +33,19 @@ internal sealed record CostFindings(CostMotion Motion, IReadOnlyList<Trial> Tria
         return new CostFindings(motion, trials);
     }
 
-    /// <summary>The trials of a row, from the longest step down.</summary>
-    public IEnumerable<Trial> Of(CatalogueRow row) => Trials.Where(trial => trial.Row == row);
+    /// <summary>The trials of a rule, from the longest step down.</summary>
+    public IEnumerable<Trial> Of(Rule rule) => Trials.Where(trial => trial.Rule == rule);
 
-    /// <summary>The trial of a row whose step is closest to a fiftieth of a second, as in a game.</summary>
-    public Trial InGame(CatalogueRow row) => Of(row).MinBy(trial => Math.Abs(Math.Log(trial.Step * 50)))!;
+    /// <summary>The trial of a rule whose step is closest to a fiftieth of a second, as in a game.</summary>
+    public Trial InGame(Rule rule) => Of(rule).MinBy(trial => Math.Abs(Math.Log(trial.Step * 50)))!;
 
-    /// <summary>What a step of a row costs, in steps of the lab's rule taken in the same turns.</summary>
-    public double TimesLab(CatalogueRow row) =>
-        InGame(row).NanosecondsPerStep / InGame(Catalogue.Find("LabEuler")).NanosecondsPerStep;
+    /// <summary>What a step of a rule costs, in steps of the lab's rule taken in the same turns.</summary>
+    public double TimesLab(Rule rule) =>
+        InGame(rule).NanosecondsPerStep / InGame(Rules.LabEuler).NanosecondsPerStep;
 
-    /// <summary>The cheapest trial of a row below an error, or null.</summary>
-    public Trial? Cheapest(CatalogueRow row, double error) =>
-        Of(row).Where(trial => trial.Error < error).MinBy(trial => trial.Cost);
+    /// <summary>The cheapest trial of a rule below an error, or null.</summary>
+    public Trial? Cheapest(Rule rule, double error) =>
+        Of(rule).Where(trial => trial.Error < error).MinBy(trial => trial.Cost);
 
     /// <summary>The cheapest trial of all below an error, or null; of those that cost the same within the clock's doubt, the first.</summary>
     public Trial? Cheapest(double error)

@@ -28,7 +28,7 @@ internal static class CostPictures
     public static Plot Of(CostFindings found)
     {
         Plot plot = Pictures.New($"{found.Motion.Scene.Name}: error against time");
-        for (int i = 0; i < Catalogue.Rows.Count; i++)
+        for (int i = 0; i < Rules.All.Count; i++)
         {
             Add(plot, found, i);
         }
@@ -46,13 +46,13 @@ internal static class CostPictures
 
     private static void Add(Plot plot, CostFindings found, int i)
     {
-        CatalogueRow row = Catalogue.Rows[i];
-        Trial[] trials = [.. found.Of(row).Where(trial => double.IsFinite(trial.Error))];
+        Rule rule = Rules.All[i];
+        Trial[] trials = [.. found.Of(rule).Where(trial => double.IsFinite(trial.Error))];
         Scatter line = plot.Add.Scatter(
             trials.Select(trial => Math.Log10(trial.Cost)).ToArray(),
             trials.Select(trial => Log(trial.Error)).ToArray(),
             Colors[i % Colors.Length]);
-        line.LegendText = row.Name;
+        line.LegendText = rule.Name;
         line.LineWidth = 2;
         line.LinePattern = i < Colors.Length ? LinePattern.Solid : LinePattern.Dotted;
         line.MarkerShape = Markers[i % Markers.Length];

@@ -18,7 +18,7 @@ internal static class CostTables
     {
         string[] bounds = [.. CostFindings.Bounds.Select(bound => "to " + Exponent(bound))];
         TextTable table = new TextTable(["integrator", "at 1/50", "ns", "× lab", .. bounds]).RightAligned();
-        foreach (CatalogueRow row in Catalogue.Rows)
+        foreach (Rule row in Rules.All)
         {
             Trial game = found.InGame(row);
             IEnumerable<string> costs = CostFindings.Bounds.Select(bound => Number(1e6 * (found.Cheapest(row, bound)?.Cost ?? double.NaN)));
@@ -38,7 +38,7 @@ internal static class CostTables
         {
             string bounds = "to " + string.Join(", ", same.Select(Exponent));
             return same.Key is Trial best
-                ? $"{bounds} {best.Row.Name} in steps of {Step(best.Step)} s ({Number(1e6 * best.Cost)} µs)"
+                ? $"{bounds} {best.Rule.Name} in steps of {Step(best.Step)} s ({Number(1e6 * best.Cost)} µs)"
                 : bounds + " none of these steps";
         });
         return $"{found.Motion.Scene.Name}: {string.Join("; ", parts)}.";

@@ -27,7 +27,7 @@ internal static class Checkout
         Walk(root, Core, Top + "/Core", path => path == Core + "/Batch" || IsNothingToUnity(path), assets);
         assets.Add(new Asset(Top + "/Core", CoreFolderGuid, null, Meta.Folder(CoreFolderGuid)));
         assets.Add(new Asset(Top + "/LICENSE.txt", LicenseGuid, Bytes(root, "LICENSE"), Meta.Text(LicenseGuid)));
-        return Rules.Checked([.. assets.OrderBy(asset => asset.Guid, StringComparer.Ordinal)]);
+        return AssetRules.Checked([.. assets.OrderBy(asset => asset.Guid, StringComparer.Ordinal)]);
     }
 
     /// <summary>The assets of the package in which a student writes, in the order of their GUIDs: what he starts from, and what checks it.</summary>
@@ -39,7 +39,7 @@ internal static class Checkout
         Walk(root, Judge, Into, IsNothingToUnity, assets);
         assets.Add(new Asset(Into, JudgeFolderGuid, null, Meta.Folder(JudgeFolderGuid)));
         assets.Add(new Asset(StarterTop + "/LICENSE.txt", StarterLicenseGuid, Bytes(root, "LICENSE"), Meta.Text(StarterLicenseGuid)));
-        return Rules.Checked([.. assets.OrderBy(asset => asset.Guid, StringComparer.Ordinal)]);
+        return AssetRules.Checked([.. assets.OrderBy(asset => asset.Guid, StringComparer.Ordinal)]);
     }
 
     // a C# project and a UPM package are nothing to a project that has the sources

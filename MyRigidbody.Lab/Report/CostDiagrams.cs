@@ -28,11 +28,11 @@ internal sealed record CostDiagrams(IReadOnlyList<CostFindings> Found) : Section
         public IEnumerable<string> Bounds => CostFindings.Bounds.Select(bound => bound.ToString("0e+0", CultureInfo.InvariantCulture));
 
         /// <summary>An integrator, its error and time in a game's step, and what each accuracy costs by it.</summary>
-        public IEnumerable<string[]> Rows => Catalogue.Rows.Select(row =>
+        public IEnumerable<string[]> Rows => Rules.All.Select(rule =>
         {
-            Trial game = found.InGame(row);
-            IEnumerable<string> costs = CostFindings.Bounds.Select(bound => CostTables.Number(1e6 * (found.Cheapest(row, bound)?.Cost ?? double.NaN)));
-            return (string[])[row.Name, CostTables.Error(game.Error), CostTables.Number(game.NanosecondsPerStep), CostTables.Number(found.TimesLab(row)), .. costs];
+            Trial game = found.InGame(rule);
+            IEnumerable<string> costs = CostFindings.Bounds.Select(bound => CostTables.Number(1e6 * (found.Cheapest(rule, bound)?.Cost ?? double.NaN)));
+            return (string[])[rule.Name, CostTables.Error(game.Error), CostTables.Number(game.NanosecondsPerStep), CostTables.Number(found.TimesLab(rule)), .. costs];
         });
     }
 }

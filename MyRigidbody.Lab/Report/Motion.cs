@@ -73,7 +73,7 @@ internal sealed class Motion
         Motion motion = new(scene.Steps, 2);
         BodyDescription body = scene.Bodies[0];
         MassProperties shape = Shape(file, body);
-        motion.Add(new Track(body.Integrator, body.Mass, shape), new Track(recorded, body.Mass, shape), course);
+        motion.Add(new Track(body.Rule.Name, body.Mass, shape), new Track(recorded, body.Mass, shape), course);
         motion.Thin(course);
         motion.Held = HeldBy([body], scene.Steps);
         return motion;

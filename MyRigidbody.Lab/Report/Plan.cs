@@ -20,7 +20,7 @@ internal sealed record Plan(IReadOnlyList<Plan.Of> Bodies) : Section
         {
             Explanation explanation = new(plan);
             string words = explanation.ToString();
-            string key = plan.Row.Name + words[words.IndexOf('\n', StringComparison.Ordinal)..];
+            string key = plan.Rule.Name + words[words.IndexOf('\n', StringComparison.Ordinal)..];
             if (known.TryAdd(key, kinds.Count))
             {
                 kinds.Add(([], explanation, plan));
@@ -37,7 +37,7 @@ internal sealed record Plan(IReadOnlyList<Plan.Of> Bodies) : Section
         string few = string.Join(", ", names.Take(MostNames));
         Word title = names.Count > MostNames ? Words.All["plan.together"].With(few + ", …", names.Count) : Word.Name(few);
         return new Of(
-            Words.All["plan.by"].With(title, plan.Row.Name),
+            Words.All["plan.by"].With(title, plan.Rule.Name),
             [.. plan.Stretches.Take(MostStretches).Select(stretch => new Stretch(
                 Words.Phrase(explanation.Time(stretch)),
                 [.. explanation.Parts(stretch).Select(Words.Phrase)],

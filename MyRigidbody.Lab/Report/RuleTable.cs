@@ -28,9 +28,9 @@ internal sealed record RuleTable(IReadOnlyList<RuleTable.Of> Pairs) : Section
         public Word Note => Words.All["rules.note"].With(Mine, Unitys);
 
         public IEnumerable<Row> Rows => found.Shares.Shares.Select(share => new Row(
-            Words.Phrase(share.Rule.Name),
-            Words.Phrase(share.Rule.Mine),
-            Words.Phrase(share.Rule.Unitys),
+            Words.Phrase(share.Difference.Name),
+            Words.Phrase(share.Difference.Mine),
+            Words.Phrase(share.Difference.Unitys),
             new Share(share.Distance, _whole.MeanDistance, CompareTables.Length(share.Distance) + " m"),
             new Share(share.Turn, _whole.MeanTurn, CompareTables.Degrees(share.Turn) + "°")));
 

@@ -11,23 +11,23 @@ internal static class BodyReader
         Fields fields = place.Fields();
         string name = fields.Required("name").ShortText();
         Place? integrator = fields.Optional("integrator");
-        CatalogueRow row = integrator is Place named
-            ? named.Make(() => Catalogue.Find(named.Text()))
-            : Catalogue.Default;
+        Rule rule = integrator is Place named
+            ? named.Make(() => Rules.Named(named.Text()))
+            : Rules.Default;
         (MassProperties mass, MassProperties? solidBox) = InertiaReader.Read(fields);
 
         BodyDescription body = place.Make(() => new BodyDescription(name, mass));
-        body.Integrator = row.Name;
+        body.Rule = rule;
         ReadStart(fields, body);
         body.CanMove = fields.Or("canMove", true, flag => flag.Flag());
         body.CanTurn = fields.Or("canTurn", true, flag => flag.Flag());
-        bool isLabs = LabIntegrators.Contains(row.Name), isUnitys = row.Name == "UnityRigidbody";
-        if (fields.OnlyIf(isLabs, "lab", $"is for {string.Join(" and ", LabIntegrators)} only, and this body moves by {row.Name}") is Place lab)
+        bool isLabs = LabIntegrators.Contains(rule.Name), isUnitys = rule == Rules.UnityRigidbody;
+        if (fields.OnlyIf(isLabs, "lab", $"is for {string.Join(" and ", LabIntegrators)} only, and this body moves by {rule.Name}") is Place lab)
         {
             body.Lab = Lab(lab.Fields());
         }
 
-        if (fields.OnlyIf(isUnitys, "unity", $"is for UnityRigidbody only, and this body moves by {row.Name}") is Place unity)
+        if (fields.OnlyIf(isUnitys, "unity", $"is for UnityRigidbody only, and this body moves by {rule.Name}") is Place unity)
         {
             body.Unity = Unity(unity.Fields());
         }

@@ -45,7 +45,7 @@ internal static class RecordingReader
         Vector3d edges = Vector(fields, "boxVertices");
         MassProperties properties = fields.Place.Make(() => PointMasses.BoxVertices(mass, edges));
         BodyDescription body = fields.Place.Make(() => new BodyDescription(name, properties));
-        body.Integrator = "LabEuler";
+        body.Rule = Rules.LabEuler;
         body.Start = new BodyState(Vector(fields, "position"), Turn(fields, "rotation"), Vector3d.Zero, Vector3d.Zero);
         body.With(new PerStep(Vectors(fields, "force", count), Vectors(fields, "torque", count)));
         double factor = decay.Single();
@@ -65,7 +65,7 @@ internal static class RecordingReader
         Quaterniond frame = Turn(fields, "inertiaTensorRotation");
         MassProperties properties = fields.Place.Make(() => MassProperties.FromPrincipal(mass, moments, frame, center));
         BodyDescription body = fields.Place.Make(() => new BodyDescription(name, properties));
-        body.Integrator = "UnityRigidbody";
+        body.Rule = Rules.UnityRigidbody;
         body.Start = new BodyState(
             Vector(fields, "position"),
             Turn(fields, "rotation"),

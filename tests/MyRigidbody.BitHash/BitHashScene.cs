@@ -13,12 +13,12 @@ namespace RigidBodyDynamics.BitHash
         public static ulong Compute()
         {
             StateHash hash = default(StateHash);
-            foreach (CatalogueRow row in Catalogue.Rows)
+            foreach (Rule rule in Rules.All)
             {
                 Simulation simulation = new Simulation(
                     TimeSteps.Every(1.0 / 60, Steps),
-                    Everything("single", row.Name, inDouble: false),
-                    Everything("double", row.Name, inDouble: true));
+                    Everything("single", rule.Name, inDouble: false),
+                    Everything("double", rule.Name, inDouble: true));
                 for (int step = 0; step < Steps; step++)
                 {
                     simulation.Step();
@@ -48,7 +48,7 @@ namespace RigidBodyDynamics.BitHash
                 {
                     Simulation simulation = new Simulation(TimeSteps.Every(step), new BodyDescription("free", MassProperties.FromPrincipal(1, moment))
                     {
-                        Integrator = "Exact",
+                        Rule = Rules.Exact,
                         Start = new BodyState(Vector3d.Zero, Quaterniond.Identity, new Vector3d(1, 2, 3), new Vector3d(0.3, 5.1, -0.2)),
                     });
                     for (int i = 0; i < 1000; i++)
@@ -71,7 +71,7 @@ namespace RigidBodyDynamics.BitHash
             Vector3d[] kicks = { new Vector3d(1, 0, -2), new Vector3d(0.5, 0.25, 0), new Vector3d(0, -3, 1) };
             BodyDescription body = new BodyDescription(name, mass)
             {
-                Integrator = integrator,
+                Rule = Rules.Named(integrator),
                 Start = new BodyState(
                     new Vector3d(1, 2, 3),
                     new Quaterniond(0.8, 0.2, -0.4, 0.4),

@@ -9,13 +9,13 @@ namespace RigidBodyDynamics.BitHash
 
         public static void Add(ref StateHash hash)
         {
-            foreach (CatalogueRow row in Catalogue.Rows)
+            foreach (Rule rule in Rules.All)
             {
                 foreach (double step in new[] { 0.1, 0.02, 0.001 })
                 {
                     foreach (BodyDescription body in All())
                     {
-                        body.Integrator = row.Name;
+                        body.Rule = rule;
                         body.Unity = new UnitySettings { InDouble = true };
                         try
                         {

@@ -12,11 +12,11 @@ namespace RigidBodyDynamics.BitHash
         /// <summary>Throws where a body of a batch has other bits than alone.</summary>
         public static void Compare()
         {
-            foreach (CatalogueRow row in Catalogue.Rows)
+            foreach (Rule rule in Rules.All)
             {
                 foreach (Vector3d moments in new[] { new Vector3d(1, 2, 3), new Vector3d(2, 2, 1), new Vector3d(1, 1, 1) })
                 {
-                    BodyDescription free = new BodyDescription("free", MassProperties.FromPrincipal(1, moments)) { Integrator = row.Name };
+                    BodyDescription free = new BodyDescription("free", MassProperties.FromPrincipal(1, moments)) { Rule = rule };
                     Compare(free);
                     Compare(free.Copy("pushed", free.Mass)
                         .With(new Torque(new Vector3d(0.1, 0, 0.2), new Vector3d(0, 0.3, 0), Vector3d.Zero, 2, inBody: true))
@@ -48,7 +48,7 @@ namespace RigidBodyDynamics.BitHash
                 a.Add(together[i]);
                 b.Add(one.Bodies[i].State);
                 if (a.Value != b.Value)
-                    throw new InvalidOperationException(body.Integrator + ", body " + i + ": other bits together than alone");
+                    throw new InvalidOperationException(body.Rule.Name + ", body " + i + ": other bits together than alone");
             }
         }
     }

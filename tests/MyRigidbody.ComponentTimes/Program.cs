@@ -18,8 +18,8 @@ namespace RigidBodyDynamics.ComponentTimes
         private static void Main()
         {
             Console.WriteLine("one fixed step of the component, ns: box, R held");
-            foreach (CatalogueRow row in Catalogue.Rows)
-                Console.WriteLine(string.Format(CultureInfo.InvariantCulture, "{0,-20}{1,10:f0}", row.Name, Least(row.Name)));
+            foreach (Rule rule in Rules.All)
+                Console.WriteLine(string.Format(CultureInfo.InvariantCulture, "{0,-20}{1,10:f0}", rule.Name, Least(rule.Name)));
         }
 
         private static double Least(string rule)

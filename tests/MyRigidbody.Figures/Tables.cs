@@ -20,19 +20,19 @@ internal static class Tables
     /// <summary>The rows of a table by its name; null if there is none of it.</summary>
     public static IReadOnlyList<string[]>? Of(string name, Measured measured) => name switch
     {
-        "integrators" => [.. Catalogue.Rows.Select(row => Integrator(row, measured))],
+        "integrators" => [.. Rules.All.Select(rule => Integrator(rule, measured))],
         "motions" => [.. Kinds.Select(kind => Motion(kind, measured))],
         "engines" => [.. measured.Engines.Select(line => (string[])[line["engine"], Time(Number(line["nanosecondsPerBodyStep"])), Error(Number(line["angleError"]))])],
         "runtimes" => [.. OnBoth.Select(what => (string[])[what, OneBody(what, measured), OneBody(what + ", on Mono", measured)])],
         _ => null,
     };
 
-    private static string[] Integrator(CatalogueRow row, Measured measured)
+    private static string[] Integrator(Rule rule, Measured measured)
     {
-        Trial inGame = Trials(Free, measured).Single(trial => trial.Rule == row.Name && trial.Step == 0.02);
-        IEnumerable<string> costs = Bounds.Select(bound => Trials(Lab, measured).Where(trial => trial.Rule == row.Name && trial.Error < bound)
+        Trial inGame = Trials(Free, measured).Single(trial => trial.Rule == rule.Name && trial.Step == 0.02);
+        IEnumerable<string> costs = Bounds.Select(bound => Trials(Lab, measured).Where(trial => trial.Rule == rule.Name && trial.Error < bound)
             .Select(trial => trial.Cost).DefaultIfEmpty(double.NaN).Min()).Select(Time);
-        return ["`" + row.Name + "`", row.Order.ToString(CultureInfo.InvariantCulture), Error(inGame.Error), Time(inGame.Nanoseconds), .. costs];
+        return ["`" + rule.Name + "`", rule.Order.ToString(CultureInfo.InvariantCulture), Error(inGame.Error), Time(inGame.Nanoseconds), .. costs];
     }
 
     /// <summary>The cheapest rule for every error, and how many times dearer RungeKutta4 is.</summary>

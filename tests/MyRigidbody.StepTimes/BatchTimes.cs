@@ -151,7 +151,7 @@ namespace RigidBodyDynamics.StepTimes
             new BodyDescription("body", MassProperties.FromPrincipal(1, new Vector3d(1, 2, 3))) { CanTurn = false };
 
         private static BodyDescription Lab() =>
-            new BodyDescription("body", MassProperties.FromPrincipal(1, new Vector3d(1, 2, 3))) { Integrator = "LabEuler" };
+            new BodyDescription("body", MassProperties.FromPrincipal(1, new Vector3d(1, 2, 3))) { Rule = Rules.LabEuler };
 
         private static void Repeat(Action step)
         {

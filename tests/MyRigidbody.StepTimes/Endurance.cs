@@ -27,7 +27,7 @@ namespace RigidBodyDynamics.StepTimes
             {
                 new BodyDescription("top", MassProperties.FromPrincipal(1, new Vector3d(1, 2, 3)))
                 {
-                    Integrator = "Exact",
+                    Rule = Rules.Exact,
                     Start = new BodyState(Vector3d.Zero, Quaterniond.Identity, Vector3d.Zero, new Vector3d(1, 1.1, 0.9)),
                 },
             };
@@ -77,7 +77,7 @@ namespace RigidBodyDynamics.StepTimes
             Console.WriteLine("a million steps of 1/50 s, Exact: energy, |L| (relative, where nothing acts)");
             foreach (BodyDescription description in BitHash.HardBodies.All())
             {
-                description.Integrator = "Exact";
+                description.Rule = Rules.Exact;
                 Simulation simulation = new Simulation(new Scene("hard", string.Empty, TimeSteps.Every(0.02), new[] { description }), Omissions.None);
                 Body body = simulation.Bodies[0];
                 double energy = body.KineticEnergy, length = body.AngularMomentum.Length;

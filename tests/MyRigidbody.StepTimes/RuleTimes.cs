@@ -16,7 +16,7 @@ namespace RigidBodyDynamics.StepTimes
         public static void Print(int repeats)
         {
             List<Row> rows = new List<Row>();
-            foreach (CatalogueRow rule in Catalogue.Rows)
+            foreach (Rule rule in Rules.All)
                 rows.Add(new Row("free body by " + rule.Name, Body(rule.Name, new Vector3d(1, 2, 3))));
 
             rows.Add(new Row("lab's step, by the library", Body("LabEuler", new Vector3d(0.5, 0.5, 0.5))
@@ -38,7 +38,7 @@ namespace RigidBodyDynamics.StepTimes
 
         private static BodyDescription Body(string rule, Vector3d moments) => new BodyDescription("body", MassProperties.FromPrincipal(1, moments))
         {
-            Integrator = rule,
+            Rule = Rules.Named(rule),
             Start = new BodyState(Vector3d.Zero, Quaterniond.Identity, new Vector3d(1, 2, 3), new Vector3d(1, 1.1, 0.9)),
             Unity = new UnitySettings { MaxAngularVelocity = double.PositiveInfinity },
         };

@@ -98,7 +98,7 @@ namespace RigidBodyDynamics.StepTimes
             {
                 BodyDescription like = make();
                 all[i] = like.Copy("body " + i, like.Mass);
-                all[i].Integrator = row;
+                all[i].Rule = Rules.Named(row);
             }
 
             Simulation simulation = new Simulation(new Scene(row, string.Empty, TimeSteps.Every(0.02), all), Omissions.None);

@@ -16,7 +16,7 @@ public sealed class AdvisorTests
 
         TimeSteps steps = TimeSteps.Until(2, advice.Best.Step);
         BodyDescription body = Ball();
-        body.Integrator = advice.Best.Row.Name;
+        body.Rule = advice.Best.Rule;
         BodyState end = Scenery.Run(steps, body, steps.Count);
         // 2 s of fall from rest, and a turn of 2 s about z
         double distance = (end.Position - 2 * Down).Length;
@@ -42,7 +42,7 @@ public sealed class AdvisorTests
 
         Advice advice = Advisor.Choose(new Scene("spring", string.Empty, TimeSteps.Until(duration, 0.02), [body]), error);
 
-        body.Integrator = advice.Best.Row.Name;
+        body.Rule = advice.Best.Rule;
         Simulation simulation = new(TimeSteps.Until(duration, advice.Best.Step), body);
         double rest = 1 + (Down.Y * mass / stiffness), largest = 0;
         while (simulation.StepsDone < simulation.Scene.Steps.Count)
@@ -65,7 +65,7 @@ public sealed class AdvisorTests
             .With(new Spring(Vector3d.Zero, Vector3d.Zero, 315.82734083485946));
         Scene scene = new("spring", string.Empty, TimeSteps.Until(20, 0.02), [body]);
 
-        Trial trial = Trial.Of(scene, Truth.Of(scene), Catalogue.Find("ExplicitEuler"), 20);
+        Trial trial = Trial.Of(scene, Truth.Of(scene), Rules.ExplicitEuler, 20);
 
         Assert.That(trial.Steps, Is.EqualTo(1));
         Assert.That(trial.Error, Is.GreaterThan(0.5)); // measured 1.0: where it stands and where the swing is on the other side
@@ -77,7 +77,7 @@ public sealed class AdvisorTests
         Advice advice = Advisor.Choose(Fall(), 0.1);
 
         Assert.That(advice.RunnerUp, Is.Not.Null);
-        Assert.That(advice.RunnerUp!.Row, Is.Not.SameAs(advice.Best.Row));
+        Assert.That(advice.RunnerUp!.Rule, Is.Not.SameAs(advice.Best.Rule));
         Assert.That(advice.RunnerUp.Error, Is.LessThan(0.1));
         Assert.That(advice.Factor, Is.EqualTo(advice.RunnerUp.Cost / advice.Best.Cost));
     }
@@ -125,7 +125,7 @@ public sealed class AdvisorTests
         Scene scene = new("stiff", string.Empty, TimeSteps.Every(0.1, 1000), [body]);
         Truth truth = new(0.1, 0, [new TruthSample(1000, 0, [start])]);
 
-        Trial trial = Trial.Of(scene, truth, Catalogue.Find("LabEuler"), 0.1);
+        Trial trial = Trial.Of(scene, truth, Rules.LabEuler, 0.1);
         StepClock.Take([trial], 1e-6, 1);
 
         double[] found = [trial.AngleError, trial.PositionError, trial.EnergyDrift, trial.MomentumDrift, trial.NanosecondsPerStep, trial.Cost];
@@ -138,7 +138,7 @@ public sealed class AdvisorTests
     {
         Truth truth = new(0.1, 0, [new TruthSample(7, 0, [BodyState.AtRest]), new TruthSample(20, 0, [BodyState.AtRest])]);
 
-        Trial trial = Trial.Of(Fall(), truth, Catalogue.Find("LabEuler"), 1e-4);
+        Trial trial = Trial.Of(Fall(), truth, Rules.LabEuler, 1e-4);
 
         Assert.That(trial.Steps, Is.EqualTo(20_000));
         Assert.That(new TimedRun(trial.Scene).Places, Is.EqualTo(Enumerable.Range(0, 16).Select(i => 1250L * i)));
@@ -152,7 +152,7 @@ public sealed class AdvisorTests
         Truth truth = new(0.1, 0, [new TruthSample(20, 0, [new BodyState(
             2 * Down, Quaterniond.FromAxisAngle(new Vector3d(0, 0, 1), 2), 2 * Down, new Vector3d(0, 0, 1))])]);
 
-        Trial trial = Trial.Of(Fall(), truth, Catalogue.Find("LabEuler"), 0.01);
+        Trial trial = Trial.Of(Fall(), truth, Rules.LabEuler, 0.01);
 
         Assert.That(trial.Step, Is.EqualTo(0.01).Within(1e-17)); // measured 0
         Assert.That(trial.Steps, Is.EqualTo(200));

@@ -20,19 +20,19 @@ public sealed class BodyByBodyTests
         // nothing pushes the slab, so a rule that is exact then has no need of steps shorter than the whole scene
         Trial[] own = [.. found.Own.Select(advice => advice.Best)];
         Assert.That(found.Reached, Is.True);
-        Assert.That(own[0].Row.Name, Does.StartWith("Exact").And.Not.Contain("Gyroscopic").And.Not.Contain("Euler"));
+        Assert.That(own[0].Rule.Name, Does.StartWith("Exact").And.Not.Contain("Gyroscopic").And.Not.Contain("Euler"));
         Assert.That(own[0].Step, Is.EqualTo(20));
         Assert.That(own[1].Step, Is.LessThan(1));
-        Assert.That(AngleApart(slab, own[0].Row.Name, own[0].Step), Is.LessThan(Error)); // measured 1.6e-13
-        Assert.That(AngleApart(top, own[1].Row.Name, own[1].Step), Is.LessThan(Error)); // measured 7.0e-7
-        Assert.That(AngleApart(top, own[1].Row.Name, own[0].Step), Is.GreaterThan(100 * Error));
+        Assert.That(AngleApart(slab, own[0].Rule.Name, own[0].Step), Is.LessThan(Error)); // measured 1.6e-13
+        Assert.That(AngleApart(top, own[1].Rule.Name, own[1].Step), Is.LessThan(Error)); // measured 7.0e-7
+        Assert.That(AngleApart(top, own[1].Rule.Name, own[0].Step), Is.GreaterThan(100 * Error));
 
         // in one scene the slab follows the top's step, and both have a rule of their own
         Assert.That(found.OneStep.Select(trial => trial.Step), Is.All.EqualTo(own[1].Step));
-        Assert.That(AngleApart(slab, found.OneStep[0].Row.Name, found.OneStep[0].Step), Is.LessThan(Error)); // measured 2.3e-14
+        Assert.That(AngleApart(slab, found.OneStep[0].Rule.Name, found.OneStep[0].Step), Is.LessThan(Error)); // measured 2.3e-14
         Assert.That(found.OneStep[1], Is.SameAs(own[1]));
 
-        Assert.That(found.OneRule.Select(trial => (trial.Row, trial.Step)), Is.All.EqualTo((forAll.Best.Row, forAll.Best.Step)));
+        Assert.That(found.OneRule.Select(trial => (trial.Rule, trial.Step)), Is.All.EqualTo((forAll.Best.Rule, forAll.Best.Step)));
         Trial[] timed = [.. own, .. found.OneRule, .. found.OneStep];
         Assert.That(timed.Select(trial => trial.Cost), Is.All.GreaterThan(0).And.All.LessThan(1));
         Assert.That(BodyByBody.CostOf(own), Is.EqualTo(own[0].Cost + own[1].Cost));

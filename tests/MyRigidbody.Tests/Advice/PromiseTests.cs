@@ -26,8 +26,8 @@ public sealed class PromiseTests
         if (!advice.Reached)
             return;
 
-        Promise found = Promise.Of(path, advice.Best.Row.Name, advice.Best.Step);
-        Assert.That(found.Error - found.Still, Is.LessThan(choice.Error), $"{advice.Best.Row.Name} in {advice.Best.Step} s");
+        Promise found = Promise.Of(path, advice.Best.Rule.Name, advice.Best.Step);
+        Assert.That(found.Error - found.Still, Is.LessThan(choice.Error), $"{advice.Best.Rule.Name} in {advice.Best.Step} s");
         Assert.That(found.Still, Is.LessThan(Math.Max(1e-11, 0.01 * choice.Error)), "the independent motion must stand still");
     }
 

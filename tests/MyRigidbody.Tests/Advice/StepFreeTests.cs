@@ -51,7 +51,7 @@ public sealed class StepFreeTests
         Assert.That(before.Effects.Count, Is.EqualTo(3));
         Assert.That(after.Effects[0], Is.SameAs(before.Effects[0]));
         Assert.That(after.Effects[^1], Is.SameAs(before.Effects[2]));
-        Assert.That((after.Name, after.Integrator, after.Mass), Is.EqualTo((before.Name, before.Integrator, before.Mass)));
+        Assert.That((after.Name, after.Rule, after.Mass), Is.EqualTo((before.Name, before.Rule, before.Mass)));
     }
 
     [Test]

@@ -57,7 +57,7 @@ public sealed class StepSearchTests
         }.With(new HeavyTop(new Vector3d(0, 0, 1), 3, new Vector3d(0, 0, 1)));
         Scene scene = new("top", string.Empty, TimeSteps.Until(8, 0.02), [top]);
 
-        Trial? longest = new StepSearch(scene, Truth.Of(scene, null, error), error).Longest(Catalogue.Find(rule), step => false);
+        Trial? longest = new StepSearch(scene, Truth.Of(scene, null, error), error).Longest(Rules.Named(rule), step => false);
 
         Assert.That(longest, Is.Not.Null);
         Assert.That(longest!.Step, Is.GreaterThan(least)); // measured 1.16, 0.638
@@ -69,7 +69,7 @@ public sealed class StepSearchTests
     {
         Scene scene = SceneOf(2, body => body.With(new Key(LabKey.R)));
         Truth truth = Truth.Of(scene);
-        Trial exact = Trial.Of(scene, truth, Catalogue.Find("Exact"), 0.1), dear = Trial.Of(scene, truth, Catalogue.Find("Exact6"), 0.001);
+        Trial exact = Trial.Of(scene, truth, Rules.Exact, 0.1), dear = Trial.Of(scene, truth, Rules.Exact6, 0.001);
 
         Contest one = new([exact]), two = new([exact, dear]);
 

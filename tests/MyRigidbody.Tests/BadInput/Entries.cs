@@ -10,6 +10,7 @@ internal sealed record Entry(Type Type, MethodBase Method)
     // what a generic type or method is tried with
     private static readonly Dictionary<string, Type> Arguments = new()
     {
+        ["TIntegrator"] = typeof(LabEuler),
         ["TPush"] = typeof(HeldBy),
         ["TFirst"] = typeof(Force),
         ["TSecond"] = typeof(Torque),

@@ -47,7 +47,7 @@ public sealed class TenStepsTests
     private static readonly string[] RunAway = ["huge stiffness", "huge quadratic drag", "huge linear damping", "huge angular damping"];
 
     [Test]
-    public void Extreme_value_leads_to_finite_numbers_or_is_refused([ValueSource(nameof(Rules))] string rule)
+    public void Extreme_value_leads_to_finite_numbers_or_is_refused([ValueSource(nameof(RuleNames))] string rule)
     {
         foreach ((string name, Action<BodyDescription> change) in Changes)
         {
@@ -103,14 +103,14 @@ public sealed class TenStepsTests
                 name == "angularVelocity" ? vector : Vector3d.Zero),
         };
         Assert.That(() => new Simulation(TimeSteps.Every(0.5), body), Throws.Nothing);
-        body.Integrator = "UnityRigidbody";
+        body.Rule = Rules.UnityRigidbody;
 
         Assert.That(
             () => new Simulation(TimeSteps.Every(0.5), body),
             Throws.InstanceOf<ArgumentOutOfRangeException>().With.Message.StartsWith(name + ": must fit the precision of UnityRigidbody, found "));
     }
 
-    private static IEnumerable<string> Rules => Scenery.Integrators;
+    private static IEnumerable<string> RuleNames => Scenery.Integrators;
 
     private static IEnumerable<(string Name, Action<BodyDescription> Change)> Both(string name, Func<Vector3d, Action<BodyDescription>> change) =>
         [("huge " + name, change(HugeVector)), ("tiny " + name, change(TinyVector))];

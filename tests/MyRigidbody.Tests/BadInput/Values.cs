@@ -46,7 +46,7 @@ internal static class Values
             _ when type == typeof(BodyPlan) => ((Body)Sound(typeof(Body))).Plan,
             _ when type == typeof(StretchPlan) => ((BodyPlan)Sound(typeof(BodyPlan))).Stretches[0],
             _ when type == typeof(Explanation) => new Explanation((BodyPlan)Sound(typeof(BodyPlan))),
-            _ when type == typeof(CatalogueRow) => Catalogue.Default,
+            _ when type == typeof(Rule) => Rules.Default,
             _ when type == typeof(FreeMotion) => new FreeMotion((BodyDescription)Sound(typeof(BodyDescription))),
             _ when type == typeof(HeldBy) => new HeldBy(new Hand()),
             _ when type == typeof(HeldKeys) => new HeldKeys(new Keyboard { [LabKey.R] = true }),

@@ -26,14 +26,14 @@ public sealed class BatchBitsTests
     private static readonly long[] Looks = [1, 2, 5, 30, 31, 49];
 
     private static IEnumerable<TestCaseData> Cases() =>
-        from rule in Catalogue.Rows from act in Acting.Keys where InLanes.Contains(rule.Name) || act == "all there is" select new TestCaseData(rule.Name, act);
+        from rule in Rules.All from act in Acting.Keys where InLanes.Contains(rule.Name) || act == "all there is" select new TestCaseData(rule.Name, act);
 
     [TestCaseSource(nameof(Cases))]
     public void Body_among_many_moves_as_it_does_alone(string rule, string act)
     {
         foreach (MassProperties mass in Crowding.Masses)
         {
-            BodyDescription body = Acting[act](new BodyDescription("body", mass) { Integrator = rule });
+            BodyDescription body = Acting[act](new BodyDescription("body", mass) { Rule = Rules.Named(rule) });
             Crowding.Same(body, TimeSteps.Every(0.02, 49), Crowding.Starts(13, 1, body), Looks);
         }
     }
@@ -91,7 +91,7 @@ public sealed class BatchBitsTests
             {
                 foreach (string act in new[] { "nothing", "factors per step", "all there is" })
                 {
-                    BodyDescription body = Acting[act](new BodyDescription("body", mass) { Integrator = rule, CanMove = moves, CanTurn = turns });
+                    BodyDescription body = Acting[act](new BodyDescription("body", mass) { Rule = Rules.Named(rule), CanMove = moves, CanTurn = turns });
                     Crowding.Same(body, TimeSteps.Every(0.02), Crowding.Starts(9, 5, body), [1, 20, 150]);
                 }
             }
@@ -105,7 +105,7 @@ public sealed class BatchBitsTests
     {
         BodyDescription body = Acting["all there is"](new BodyDescription("body", Crowding.Masses.ElementAt(1)))
             .Copy("script", Crowding.Masses.ElementAt(1));
-        body.Integrator = "LabEuler";
+        body.Rule = Rules.LabEuler;
         body.Lab = new LabSettings { Normalise = normalise, UnitRotation = unitRotation };
         // a faster one stretches its q beyond all numbers
         BodyState[] slow = [.. Crowding.Starts(13, 5, body).Where(start => start.AngularVelocity.Length < 10)];
@@ -120,7 +120,7 @@ public sealed class BatchBitsTests
         {
             foreach (string act in new[] { "factors per step", "damping that leaves nothing" })
             {
-                BodyDescription body = Acting[act](new BodyDescription("body", mass) { Integrator = rule });
+                BodyDescription body = Acting[act](new BodyDescription("body", mass) { Rule = Rules.Named(rule) });
                 Crowding.Same(body, TimeSteps.Every(0.02), Crowding.Starts(13, 7, body), [200, 400, 1100]);
             }
         }
@@ -136,7 +136,7 @@ public sealed class BatchBitsTests
         {
             foreach (string act in new[] { "nothing", "gravity and damping", "all there is" })
             {
-                BodyDescription body = Acting[act](new BodyDescription("body", mass) { Integrator = rule });
+                BodyDescription body = Acting[act](new BodyDescription("body", mass) { Rule = Rules.Named(rule) });
                 Crowding.Same(body, TimeSteps.Of(lengths), Crowding.Starts(26, 11, body), [3, 4, 40]);
             }
         }

@@ -24,7 +24,7 @@ public sealed class BatchLifeTests
     {
         Random random = new(mass);
         int longest = act == "Exact, nothing" || act == "Exact, gravity and damping" ? 300 : 9;
-        BodyDescription body = Acting[act](new BodyDescription("body", Crowding.Masses.ElementAt(mass)) { Integrator = act.Split(',')[0] });
+        BodyDescription body = Acting[act](new BodyDescription("body", Crowding.Masses.ElementAt(mass)) { Rule = Rules.Named(act.Split(',')[0]) });
         BodyState[] starts = Crowding.Starts(200, 2, body);
         Batch batch = new(body, Steps);
         Dictionary<int, (long Since, Simulation Alone)> alone = [];
@@ -135,7 +135,7 @@ public sealed class BatchLifeTests
     [TestCase("LabEuler, factors per step", 2)]
     public void Neither_stepping_nor_looking_nor_coming_nor_going_allocates(string act, int threads)
     {
-        BodyDescription body = Acting[act](new BodyDescription("body", Crowding.Masses.First()) { Integrator = act.Split(',')[0] });
+        BodyDescription body = Acting[act](new BodyDescription("body", Crowding.Masses.First()) { Rule = Rules.Named(act.Split(',')[0]) });
         BodyState[] starts = Crowding.Starts(1200, 1, body), states = new BodyState[1200];
         Batch batch = new(body, Steps) { Threads = threads };
         foreach (BodyState start in starts)

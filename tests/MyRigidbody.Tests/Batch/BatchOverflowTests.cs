@@ -5,12 +5,12 @@ namespace RigidBodyDynamics.Tests;
 /// <summary>Bodies that run away among many are named by number and step, and the others go on.</summary>
 public sealed class BatchOverflowTests
 {
-    private static readonly string[] Rules = [.. Catalogue.Rows.Select(row => row.Name)];
+    private static readonly string[] RuleNames = [.. Rules.All.Select(rule => rule.Name)];
 
-    [TestCaseSource(nameof(Rules))]
+    [TestCaseSource(nameof(RuleNames))]
     public void Body_that_runs_away_is_named_and_the_others_go_on(string rule)
     {
-        BodyDescription body = new BodyDescription("b", Crowding.Masses.First()) { Integrator = rule }.With(new Runaway(7.5, 1e300));
+        BodyDescription body = new BodyDescription("b", Crowding.Masses.First()) { Rule = Rules.Named(rule) }.With(new Runaway(7.5, 1e300));
         foreach (int count in new[] { 1, 5, 64 })
         {
             Batch batch = new(body, TimeSteps.Every(0.02)) { Threads = 2 };
@@ -47,7 +47,7 @@ public sealed class BatchOverflowTests
     [TestCase("UnityRigidbody", 3)]
     public void It_is_named_at_the_first_look_whoever_steps_how(string rule, int threads)
     {
-        BodyDescription body = new BodyDescription("b", Crowding.Masses.First()) { Integrator = rule }
+        BodyDescription body = new BodyDescription("b", Crowding.Masses.First()) { Rule = Rules.Named(rule) }
             .With(new Force(new Vector3d(0, 1e300, 0)), 0.5);
         StateOverflowException expected = Assert.Throws<StateOverflowException>(() => new Simulation(TimeSteps.Every(0.02), body).Step(200))!;
         foreach (int count in new[] { 1, 7, 200 })
@@ -67,10 +67,10 @@ public sealed class BatchOverflowTests
         }
     }
 
-    [TestCaseSource(nameof(Rules))]
+    [TestCaseSource(nameof(RuleNames))]
     public void Effect_that_gives_no_number_is_named(string rule)
     {
-        BodyDescription body = new BodyDescription("b", Crowding.Masses.First()) { Integrator = rule }.With(new Nan(), 0.5);
+        BodyDescription body = new BodyDescription("b", Crowding.Masses.First()) { Rule = Rules.Named(rule) }.With(new Nan(), 0.5);
         Batch batch = new(body, TimeSteps.Every(0.02));
         foreach (BodyState start in Crowding.Starts(20, 1, body))
             batch.Add(start);

@@ -54,7 +54,7 @@ public sealed class BatchThreadsTests
         }
 
         BodyDescription Body(ManualResetEventSlim go) =>
-            new BodyDescription("body", Crowding.Masses.First()) { Integrator = rule }.With(new Starter(go));
+            new BodyDescription("body", Crowding.Masses.First()) { Rule = Rules.Named(rule) }.With(new Starter(go));
 
         Batch Filled(int threads, ManualResetEventSlim go)
         {

@@ -13,7 +13,7 @@ public sealed class BenchTests
         Vector3d gravity = new(0, -9.81, 0), force = new(5, 0, 0);
         BodyDescription cube = new BodyDescription("cube", MassProperties.FromPrincipal(1, new Vector3d(0.5, 0.5, 0.5)))
         {
-            Integrator = "LabEuler",
+            Rule = Rules.LabEuler,
             Start = new BodyState(Vector3d.Zero, Quaterniond.Identity, new Vector3d(1, 2, 3), new Vector3d(1, 1.1, 0.9)),
         }.With(new Gravity(gravity)).With(new DecayPerStep(0.98, 0.98)).With(new Force(force)).With(new Key(LabKey.R));
         HandWritten byHand = new(cube.Start, cube.Mass, force, gravity, 0.98, 0.02);
@@ -25,7 +25,7 @@ public sealed class BenchTests
     public void Every_ratio_is_of_things_that_are_measured()
     {
         // a name that nothing has would silently leave a ratio out
-        string[] measured = [.. new[] { Suite.Rules(), Suite.ByHand(), Suite.Effects(), Suite.Shapes(), Suite.Denormals(), Suite.Many(1000) }
+        string[] measured = [.. new[] { Suite.ByRule(), Suite.ByHand(), Suite.Effects(), Suite.Shapes(), Suite.Denormals(), Suite.Many(1000) }
             .SelectMany(group => group).Select(measurement => measurement.What)];
         Assert.That(Ratios.Names.Where(name => !measured.Contains(name)), Is.Empty);
         Assert.That(Ratios.Names.Count(), Is.GreaterThan(20));

@@ -159,7 +159,7 @@ public sealed class CompareTests
         LabProcess json = LabProcess.Run(folder.Path, "integrators", "--json"), table = LabProcess.Run(folder.Path, "integrators");
 
         using JsonDocument rows = JsonDocument.Parse(json.Output);
-        string[] names = [.. Catalogue.Rows.Select(row => row.Name)];
+        string[] names = [.. Rules.All.Select(row => row.Name)];
         Assert.That(rows.RootElement.EnumerateArray().Select(row => row.GetProperty("name").GetString()), Is.EqualTo(names));
         Assert.That(names.All(table.Output.Contains), Is.True);
     }

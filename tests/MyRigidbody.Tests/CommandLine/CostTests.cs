@@ -26,7 +26,7 @@ public sealed class CostTests
         Assert.That(cells.Select(row => row[0]).Distinct(), Does.Contain("asym_moderate").And.Contain("lab"));
         foreach (string scene in cells.Select(row => row[0]).Distinct())
         {
-            foreach (CatalogueRow row in Catalogue.Rows)
+            foreach (Rule row in Rules.All)
             {
                 Assert.That(cells.Count(cell => cell[0] == scene && cell[1] == row.Name), Is.GreaterThanOrEqualTo(8), scene + " " + row.Name);
             }
@@ -36,7 +36,7 @@ public sealed class CostTests
             Assert.That(File.ReadAllText(name + ".svg"), Does.Contain("<svg").And.Contain("</svg>"));
         }
 
-        Assert.That(Catalogue.Rows.Select(row => row.Name).All(lab.Output.Contains), Is.True);
+        Assert.That(Rules.All.Select(row => row.Name).All(lab.Output.Contains), Is.True);
         Assert.That(Tables(lab.Output).Max(line => line.Length), Is.LessThanOrEqualTo(80));
     }
 

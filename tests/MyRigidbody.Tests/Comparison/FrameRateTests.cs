@@ -23,7 +23,7 @@ public sealed class FrameRateTests
     [Test]
     public void At_the_rate_of_the_steps_every_push_comes_once_and_a_step_late()
     {
-        BodyDescription body = new("body", Solids.Sphere(1, 1)) { Integrator = Pair.UnityRow };
+        BodyDescription body = new("body", Solids.Sphere(1, 1)) { Rule = Rules.UnityRigidbody };
         body.With(new Key(LabKey.RightArrow), 1, 2);
 
         FrameRate found = FrameRate.Of(body, Steps, 50);
@@ -36,7 +36,7 @@ public sealed class FrameRateTests
     [Test]
     public void Frames_slower_than_steps_leave_steps_without_a_push()
     {
-        BodyDescription body = new("body", Solids.Sphere(1, 1)) { Integrator = Pair.UnityRow };
+        BodyDescription body = new("body", Solids.Sphere(1, 1)) { Rule = Rules.UnityRigidbody };
         body.With(new Key(LabKey.RightArrow), 0, 1);
 
         FrameRate found = FrameRate.Of(body, Steps, 25);

@@ -27,7 +27,7 @@ public sealed class RuleSharesTests
     {
         BodyDescription mine = Lab(new Vector3d(1, 2, 3)).Mine;
 
-        Apart apart = Apart.Between(mine, Rule.LabInUnitysShape(mine), Steps);
+        Apart apart = Apart.Between(mine, Difference.LabInUnitysShape(mine), Steps);
 
         // measured 0 m and 3.6e-15 rad: the order of roundings is all that differs
         Assert.That(apart.Farthest.Distance, Is.LessThan(1e-14));
@@ -38,7 +38,7 @@ public sealed class RuleSharesTests
     public void All_rules_exchanged_give_Unitys_body_to_the_bit()
     {
         Pair pair = Lab(new Vector3d(1, 2, 3));
-        BodyDescription last = Rule.Between(pair).Aggregate(Rule.LabInUnitysShape(pair.Mine), (body, rule) => rule.Exchange(body));
+        BodyDescription last = Difference.Between(pair).Aggregate(Difference.LabInUnitysShape(pair.Mine), (body, rule) => rule.Exchange(body));
 
         Apart apart = Apart.Between(last, pair.Default, Steps);
 
@@ -53,7 +53,7 @@ public sealed class RuleSharesTests
         Pair pair = Lab(new Vector3d(1, 1, 1));
         RuleShares found = RuleShares.Of(pair, Steps);
 
-        RuleShare damping = found.Shares.Single(share => share.Rule.Name == "damping");
+        RuleShare damping = found.Shares.Single(share => share.Difference.Name == "damping");
 
         Assert.That(damping.Distance / found.Whole.MeanDistance, Is.EqualTo(1).Within(1e-5)); // measured 1.5e-6
     }
@@ -63,7 +63,7 @@ public sealed class RuleSharesTests
     {
         // no limit is reached in the first half second, so one body turns by a third of the other's angle
         RuleShares found = RuleShares.Of(Lab(new Vector3d(1, 1, 1)), TimeSteps.Until(0.5, 0.02));
-        RuleShare inertia = found.Shares.Single(share => share.Rule.Name == "inertia");
+        RuleShare inertia = found.Shares.Single(share => share.Difference.Name == "inertia");
         SideBySide mine = new(TimeSteps.Until(0.5, 0.02), Lab(new Vector3d(1, 1, 1)).Mine);
         double sum = 0;
         while (mine.Step())
@@ -79,7 +79,7 @@ public sealed class RuleSharesTests
     public void A_body_of_Unitys_belongs_to_the_body_before_it()
     {
         BodyDescription mine = new("a", Solids.Box(1, new Vector3d(1, 1, 1)));
-        BodyDescription unity = new("b", Solids.Box(1, new Vector3d(1, 1, 1))) { Integrator = Pair.UnityRow };
+        BodyDescription unity = new("b", Solids.Box(1, new Vector3d(1, 1, 1))) { Rule = Rules.UnityRigidbody };
         BodyDescription alone = new("c", Solids.Sphere(1, 1));
         alone.With(new LinearDamping(0.3)).With(new AngularDamping(0.2));
 

@@ -9,8 +9,8 @@ internal static class Scenes
     /// <summary>The lab's keys on a body of the lab's and on one of Unity's.</summary>
     public static Pair Lab(Vector3d edges)
     {
-        BodyDescription mine = new("mine", PointMasses.BoxVertices(1, edges)) { Integrator = "LabEuler" };
-        BodyDescription unity = new("unity", Solids.Box(1, edges)) { Integrator = Pair.UnityRow };
+        BodyDescription mine = new("mine", PointMasses.BoxVertices(1, edges)) { Rule = Rules.LabEuler };
+        BodyDescription unity = new("unity", Solids.Box(1, edges)) { Rule = Rules.UnityRigidbody };
         return new Pair(Keys(mine).With(new DecayPerStep(0.98, 0.98)), Keys(unity));
     }
 

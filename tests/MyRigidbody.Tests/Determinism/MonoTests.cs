@@ -30,7 +30,7 @@ public sealed class MonoTests
         OnMono found = OnMono.Take(1, _ => { });
 
         Assert.That(found.Problem, Is.Empty);
-        Assert.That(found.Times.Select(row => row.What), Is.EqualTo(Suite.Rules().Append(Suite.ByHand()[1]).Select(measurement => measurement.What)));
+        Assert.That(found.Times.Select(row => row.What), Is.EqualTo(Suite.ByRule().Append(Suite.ByHand()[1]).Select(measurement => measurement.What)));
         Assert.That(found.Times.SelectMany(row => new[] { row.CoreClr, row.Mono }), Is.All.GreaterThan(0));
     }
 

@@ -132,7 +132,7 @@ public sealed class ExactMotionTests
         {
             BodyDescription body = new("b", MassProperties.FromPrincipal(1, new Vector3d(1, 2, 3)))
             {
-                Integrator = "Exact",
+                Rule = Rules.Exact,
                 Start = new BodyState(Vector3d.Zero, Quaterniond.Identity, Vector3d.Zero, new Vector3d(w1, w2, w3)),
             };
             Simulation simulation = Scenery.Stepped(TimeSteps.Every(step), body);

@@ -77,15 +77,15 @@ public sealed class FreeMotionTests
     {
         foreach (double unit in new[] { 1e-300, 1e-170, 1e-18, 1e18, 1e150, 1e300 })
         {
-            foreach (CatalogueRow row in Catalogue.Rows.Where(row => row.Keeps.HasFlag(Keeps.Motion)))
+            foreach (Rule rule in Rules.All.Where(rule => rule.Keeps.HasFlag(Keeps.Motion)))
             {
-                BodyState here = Run(1, row.Name), there = Run(unit, row.Name);
-                Assert.That(Conserved.AngleBetween(here.Orientation, there.Orientation), Is.LessThan(1e-13), row.Name); // measured 8.2e-15
+                BodyState here = Run(1, rule.Name), there = Run(unit, rule.Name);
+                Assert.That(Conserved.AngleBetween(here.Orientation, there.Orientation), Is.LessThan(1e-13), rule.Name); // measured 8.2e-15
             }
 
             BodyState Run(double scale, string integrator)
             {
-                BodyDescription body = new("b", MassProperties.FromPrincipal(1, scale * new Vector3d(i1, i2, i3))) { Integrator = integrator };
+                BodyDescription body = new("b", MassProperties.FromPrincipal(1, scale * new Vector3d(i1, i2, i3))) { Rule = Rules.Named(integrator) };
                 body.Start = new BodyState(Vector3d.Zero, Quaterniond.Identity, Vector3d.Zero, new Vector3d(1, 2, -1.5));
                 return Scenery.Run(TimeSteps.Every(0.02, 100), body, 100);
             }
@@ -103,7 +103,7 @@ public sealed class FreeMotionTests
         BodyDescription free = new("free", MassProperties.FromPrincipal(1, new Vector3d(i1, i2, i3)));
         free.Start = new BodyState(Vector3d.Zero, Quaterniond.Identity, Vector3d.Zero, new Vector3d(1, 2, -1.5));
         BodyDescription damped = free.Copy("damped", free.Mass).With(new AngularDamping(C));
-        damped.Integrator = "Exact";
+        damped.Rule = Rules.Exact;
         FreeMotion motion = new(free);
         foreach (double step in new[] { 0.01, 0.1, 1, 10 })
         {

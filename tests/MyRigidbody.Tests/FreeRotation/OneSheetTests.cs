@@ -88,7 +88,7 @@ public sealed class OneSheetTests
     {
         BodyDescription body = new BodyDescription(name, MassProperties.FromPrincipal(1, Bodies[name].Moments, new Quaterniond(0.9, 0.1, -0.3, 0.2), Vector3d.Zero))
         {
-            Integrator = "Exact",
+            Rule = Rules.Exact,
             Start = new BodyState(Vector3d.Zero, new Quaterniond(-0.5, 0.5, 0.5, 0.5), Vector3d.Zero, Vector3d.Zero),
             AngularVelocityInBody = new Quaterniond(0.9, 0.1, -0.3, 0.2).Normalized.Rotate(Bodies[name].Spin),
         };

@@ -32,7 +32,7 @@ public sealed class PartsOfAStepTests
         Vector3d w = new(w1, w2, w3);
         Assert.That(Step(w, h).IsIllConditioned, Is.True);
 
-        BodyDescription body = new("b", MassProperties.FromPrincipal(1, new Vector3d(1, 2, 3))) { Integrator = "Exact" };
+        BodyDescription body = new("b", MassProperties.FromPrincipal(1, new Vector3d(1, 2, 3))) { Rule = Rules.Exact };
         body.Start = new BodyState(Vector3d.Zero, Quaterniond.Identity, Vector3d.Zero, w);
         BodyState inSteps = Scenery.Run(TimeSteps.Every(h / 1024), body, 1024), atOnce = new FreeMotion(body).At(h);
         double apart = Conserved.AngleBetween(inSteps.Orientation, atOnce.Orientation);

@@ -48,7 +48,7 @@ public sealed class RandomBodiesTests
         string[] cells = line.Split(',');
         BodyDescription body = new("body", MassProperties.FromPrincipal(1, new Vector3d(Cell("I1"), Cell("I2"), Cell("I3"))))
         {
-            Integrator = integrator,
+            Rule = Rules.Named(integrator),
             Start = new BodyState(
                 Vector3d.Zero, Quaterniond.Identity, Vector3d.Zero, new Vector3d(Cell("w1"), Cell("w2"), Cell("w3"))),
         };

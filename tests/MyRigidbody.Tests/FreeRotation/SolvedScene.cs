@@ -10,7 +10,7 @@ internal static class SolvedScene
     {
         JsonElement inputs = solved.Inputs, initial = inputs.GetProperty("initial");
         BodyDescription body = inputs.GetProperty("kind").GetString() == "translation" ? Falling(inputs) : Turning(inputs, initial);
-        body.Integrator = integrator;
+        body.Rule = Rules.Named(integrator);
         body.Unity = new UnitySettings
         {
             AngularDrag = 0,

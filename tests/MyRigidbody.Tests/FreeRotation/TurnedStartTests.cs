@@ -91,7 +91,7 @@ public sealed class TurnedStartTests
 
     private static BodyDescription Turned(MassProperties mass, Quaterniond turn, Vector3d inBody, string integrator) => new("b" + turn.W, mass)
     {
-        Integrator = integrator,
+        Rule = Rules.Named(integrator),
         Start = new BodyState(Vector3d.Zero, turn, Vector3d.Zero, Vector3d.Zero),
         AngularVelocityInBody = inBody,
     };

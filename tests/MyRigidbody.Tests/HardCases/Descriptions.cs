@@ -73,7 +73,7 @@ internal static class Descriptions
 
     private static BodyDescription Body(string integrator, MassProperties mass) => new("body", mass)
     {
-        Integrator = integrator,
+        Rule = Rules.Named(integrator),
         Start = new BodyState(Vector3d.Zero, Quaterniond.Identity, Vector3d.Zero, Spin),
     };
 }

@@ -87,7 +87,7 @@ internal static class DrivenBodies
             .ToMassProperties();
         BodyDescription body = new("dumbbell", mass)
         {
-            Integrator = integrator,
+            Rule = Rules.Named(integrator),
             Start = new BodyState(Vector3d.Zero, Quaterniond.Identity, Vector3d.Zero, new Vector3d(3, 4, 0)),
         };
         Simulation simulation = new(TimeSteps.Every(0.02), body);
@@ -116,7 +116,7 @@ internal static class DrivenBodies
         {
             BodyDescription body = new BodyDescription("body", MassProperties.FromPrincipal(1, new Vector3d(1, 2, 2.5)))
             {
-                Integrator = integrator,
+                Rule = Rules.Named(integrator),
                 Start = new BodyState(from, Quaterniond.Identity, new Vector3d(1, 2, 3), new Vector3d(0.3, 1.1, -0.7)),
             }.With(new Gravity(new Vector3d(0, -9.81, 0))).With(new Key(LabKey.R));
             return Scenery.Run(TimeSteps.Every(0.02), body, 500);
@@ -145,14 +145,14 @@ internal static class DrivenBodies
         Quaterniond q = Quaterniond.FromAxisAngle(new Vector3d(1, 0, 0), tilt);
         return new BodyDescription("top", MassProperties.FromPrincipal(1, new Vector3d(1, 1, 0.5)))
         {
-            Integrator = integrator,
+            Rule = Rules.Named(integrator),
             Start = new BodyState(Vector3d.Zero, q, Vector3d.Zero, q.Rotate(new Vector3d(0, 0, spin))),
         }.With(new HeavyTop(new Vector3d(0, 0, 1), 3, new Vector3d(0, 0, 1)));
     }
 
     private static BodyDescription Ball(string integrator, Vector3d velocity) => new("ball", Solids.Sphere(1, 0.5))
     {
-        Integrator = integrator,
+        Rule = Rules.Named(integrator),
         Start = new BodyState(Vector3d.Zero, Quaterniond.Identity, velocity, Vector3d.Zero),
     };
 

@@ -29,7 +29,7 @@ internal static class Flips
     {
         BodyDescription body = new("slab", MassProperties.FromPrincipal(1, moments))
         {
-            Integrator = integrator,
+            Rule = Rules.Named(integrator),
             Unity = new UnitySettings { AngularDrag = 0, MaxAngularVelocity = double.PositiveInfinity, SleepThreshold = 0, InDouble = true },
             Start = new BodyState(Vector3d.Zero, Quaterniond.Identity, Vector3d.Zero, new Vector3d(epsilon, spin, 0)),
         };

@@ -92,7 +92,7 @@ internal static class FreeBodies
 
     private static BodyDescription Top(string integrator, Vector3d moments, Vector3d spin) => new("top", MassProperties.FromPrincipal(1, moments))
     {
-        Integrator = integrator,
+        Rule = Rules.Named(integrator),
         Start = new BodyState(Vector3d.Zero, Quaterniond.Identity, Vector3d.Zero, spin),
     };
 

@@ -10,7 +10,7 @@ public sealed class QuietBodyTests
     {
         foreach (Vector3d moments in new Vector3d[] { new(1, 2, 2.5), new(2, 2, 1), new(1, 1, 1), new(1e-18, 2e-18, 2.5e-18) })
         {
-            BodyDescription body = new("b", MassProperties.FromPrincipal(1, moments)) { Integrator = Scenery.Body(integrator).Integrator };
+            BodyDescription body = new("b", MassProperties.FromPrincipal(1, moments)) { Rule = Scenery.Body(integrator).Rule };
             body.Start = new BodyState(new Vector3d(1, -2, 3), new Quaterniond(0.5, 0.5, -0.5, 0.5), Vector3d.Zero, Vector3d.Zero);
             body.Unity.InDouble = true;
             Simulation simulation = Scenery.Stepped(TimeSteps.Every(0.02), body);
@@ -26,7 +26,7 @@ public sealed class QuietBodyTests
         {
             BodyDescription body = new BodyDescription("b", MassProperties.FromPrincipal(1, moments))
             {
-                Integrator = Scenery.Body(integrator).Integrator,
+                Rule = Scenery.Body(integrator).Rule,
                 Unity = Scenery.Body(integrator).Unity,
                 Start = new BodyState(Vector3d.Zero, Quaterniond.Identity, new Vector3d(1, 2, 3), new Vector3d(0.3, 1.1, -0.7)),
             }.With(new DecayPerStep(0.98, 0.98));
@@ -51,7 +51,7 @@ public sealed class QuietBodyTests
     [TestCase("Exact", 1)]
     public void Body_damped_step_by_step_goes_as_far_as_the_geometric_series(string integrator, double times)
     {
-        BodyDescription body = new BodyDescription("b", Solids.Sphere(1, 1)) { Integrator = integrator }.With(new DecayPerStep(0.98, 0.98));
+        BodyDescription body = new BodyDescription("b", Solids.Sphere(1, 1)) { Rule = Rules.Named(integrator) }.With(new DecayPerStep(0.98, 0.98));
         body.Start = new BodyState(Vector3d.Zero, Quaterniond.Identity, new Vector3d(1, 0, 0), Vector3d.Zero);
         Assert.That(
             Scenery.Run(TimeSteps.Every(0.02), body, 100_000).Position.X,

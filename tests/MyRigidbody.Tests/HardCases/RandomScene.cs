@@ -46,7 +46,7 @@ internal sealed record RandomScene(
         // moments that a body can have: sums of two of three positive parts
         Vector3d moments = Unit * new Vector3d(Parts.Y + Parts.Z, Parts.Z + Parts.X, Parts.X + Parts.Y);
         MassProperties mass = MassProperties.FromPrincipal(Mass, moments, Frame, Center);
-        BodyDescription body = new("body", mass) { Integrator = integrator, Start = Start };
+        BodyDescription body = new("body", mass) { Rule = Rules.Named(integrator), Start = Start };
         if (!Gravity.IsZero)
             body.With(new Gravity(Gravity));
 

@@ -9,9 +9,9 @@ public sealed class WayBackTests
 
     private static readonly Vector3d[] Moments = [new(1, 2, 2.5), new(2, 2, 1), new(2, 2, 2)];
 
-    private static IEnumerable<string> ThereAndBack => Catalogue.Rows.Where(row => row.Keeps.HasFlag(Keeps.WayBack)).Select(row => row.Name);
+    private static IEnumerable<string> ThereAndBack => Rules.All.Where(rule => rule.Keeps.HasFlag(Keeps.WayBack)).Select(rule => rule.Name);
 
-    private static IEnumerable<string> OneWay => Catalogue.Rows.Where(row => !row.Keeps.HasFlag(Keeps.WayBack)).Select(row => row.Name);
+    private static IEnumerable<string> OneWay => Rules.All.Where(rule => !rule.Keeps.HasFlag(Keeps.WayBack)).Select(rule => rule.Name);
 
     // measured at most 8.4e-12, by Exact4
     [TestCaseSource(nameof(ThereAndBack))]
@@ -50,7 +50,7 @@ public sealed class WayBackTests
             MassProperties mass = MassProperties.FromPrincipal(2, moments, new Quaterniond(0.9, 0.1, -0.3, 0.2), new Vector3d(0.1, -0.2, 0.3));
             BodyDescription body = new("b", mass)
             {
-                Integrator = integrator,
+                Rule = Rules.Named(integrator),
                 Start = from,
                 Unity = new UnitySettings { AngularDrag = 0, MaxAngularVelocity = double.PositiveInfinity, SleepThreshold = 0, InDouble = true },
             };

@@ -47,7 +47,7 @@ public sealed class AgreementTests
             start.AngularVelocity = Vector3d.Zero;
             BodyDescription body = new BodyDescription("b", MassProperties.FromPrincipal(2, Moments[0]))
             {
-                Integrator = integrator,
+                Rule = Rules.Named(integrator),
                 CanMove = canMove,
                 CanTurn = canTurn,
                 Start = start,
@@ -60,7 +60,7 @@ public sealed class AgreementTests
     {
         MassProperties mass = MassProperties.FromPrincipal(
             2, moments, new Quaterniond(0.9, 0.1, -0.3, 0.2), new Vector3d(0.1, -0.2, 0.3));
-        BodyDescription body = new BodyDescription("body", mass) { Integrator = integrator, Start = Pushes.State }
+        BodyDescription body = new BodyDescription("body", mass) { Rule = Rules.Named(integrator), Start = Pushes.State }
             .With(new Gravity(new Vector3d(0, -9.81, 0)), 0.25, 1.5)
             .With(new LinearDamping(0.3), 0.5)
             .With(new AngularDamping(0.2))

@@ -21,7 +21,7 @@ public sealed class DampingUnderTorqueTests
         double step = 0.25 / parts;
         BodyDescription body = new BodyDescription("b", MassProperties.FromPrincipal(1, Vector(moments)))
         {
-            Integrator = "Exact6",
+            Rule = Rules.Exact6,
             Start = new BodyState(Vector3d.Zero, Quaterniond.Identity, Vector3d.Zero, Vector(Spin)),
         }.With(new Torque(Vector(Torque), Vector3d.Zero, Vector3d.Zero, 0, inBody: true)).With(new AngularDamping(0.25));
         BodyState end = Scenery.Run(TimeSteps.Every(step), body, (int)(Time / step));
@@ -35,7 +35,7 @@ public sealed class DampingUnderTorqueTests
     [Test]
     public void Spin_under_a_torque_rests_at_torque_over_damping_however_long()
     {
-        BodyDescription body = new BodyDescription("b", MassProperties.FromPrincipal(1, new Vector3d(1, 2, 3))) { Integrator = "Exact6" }
+        BodyDescription body = new BodyDescription("b", MassProperties.FromPrincipal(1, new Vector3d(1, 2, 3))) { Rule = Rules.Exact6 }
             .With(new Torque(new Vector3d(0, 0, 3), Vector3d.Zero, Vector3d.Zero, 0, inBody: true)).With(new AngularDamping(0.25));
         BodyState end = Scenery.Run(TimeSteps.Every(0.125), body, 3200);
         Assert.That(end.AngularVelocity.Z, Is.EqualTo(4).Within(1e-14));

@@ -53,7 +53,7 @@ public sealed class IdlePushTests
 
     private static BodyDescription Body(string rule, Vector3d moments) => new("body", MassProperties.FromPrincipal(2, moments))
     {
-        Integrator = rule,
+        Rule = Rules.Named(rule),
         Start = new BodyState(new Vector3d(1, 2, 3), new Quaterniond(0.9, 0.1, -0.3, 0.2), new Vector3d(0.5, -1, 0.3), new Vector3d(1, -2, 0.7)),
     };
 }

@@ -99,7 +99,7 @@ public sealed class ImpulseNowTests
             pushed.CanMove ? body.Start.Velocity : Vector3d.Zero,
             pushed.CanTurn ? body.Start.AngularVelocity : Vector3d.Zero);
         pushed.Body = body;
-        return Catalogue.Find(body.Integrator).Use(body, pushed);
+        return body.Rule.Use(body, pushed);
     }
 
     private static IEnumerable<Vector3d> Box(double x, double y, double z)

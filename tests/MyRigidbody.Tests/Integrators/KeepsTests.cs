@@ -3,7 +3,7 @@ using NUnit.Framework;
 namespace RigidBodyDynamics.Tests;
 
 /// <summary>
-/// What a row of the catalogue says that it keeps of a freely turning body, it keeps; and what it does not say, it loses.
+/// What a rule of the catalogue says that it keeps of a freely turning body, it keeps; and what it does not say, it loses.
 /// </summary>
 public sealed class KeepsTests
 {
@@ -11,14 +11,14 @@ public sealed class KeepsTests
     private const int Steps = 20_000;
 
     private static IEnumerable<object[]> Cases =>
-        from row in Catalogue.Rows
+        from rule in Rules.All
         from motion in new[] { "asym_moderate", "plate", "dzhanibekov_1e-3", "sym_top" }
-        select new object[] { row.Name, motion };
+        select new object[] { rule.Name, motion };
 
     [TestCaseSource(nameof(Cases))]
     public void Angular_momentum_is_kept_where_that_is_declared_and_only_there(string integrator, string motion)
     {
-        Keeps keeps = Catalogue.Find(integrator).Keeps;
+        Keeps keeps = Rules.Named(integrator).Keeps;
         (double length, double vector, _, _) = Drift(integrator, motion);
         TestContext.Out.WriteLine(FormattableString.Invariant($"length {length:g2}, vector {vector:g2}"));
         if (keeps.HasFlag(Keeps.MomentumLength))
@@ -35,7 +35,7 @@ public sealed class KeepsTests
     [TestCaseSource(nameof(Cases))]
     public void Energy_is_kept_where_that_is_declared_and_only_there(string integrator, string motion)
     {
-        Keeps keeps = Catalogue.Find(integrator).Keeps;
+        Keeps keeps = Rules.Named(integrator).Keeps;
         (_, _, double first, double second) = Drift(integrator, motion);
         TestContext.Out.WriteLine(FormattableString.Invariant($"first half {first:g2}, second half {second:g2}"));
         if (keeps.HasFlag(Keeps.Energy))
@@ -49,7 +49,7 @@ public sealed class KeepsTests
     [TestCaseSource(nameof(Cases))]
     public void Angular_velocity_is_kept_by_rules_without_a_gyroscopic_term(string integrator, string motion)
     {
-        bool isFrozen = Catalogue.Find(integrator).Keeps == Keeps.AngularVelocity;
+        bool isFrozen = Rules.Named(integrator).Keeps == Keeps.AngularVelocity;
         Simulation simulation = Scenery.Stepped(TimeSteps.Every(Step), SolvedScene.Body(ExactCase.Read(motion), integrator));
         Vector3d before = simulation.Bodies[0].State.AngularVelocity;
         simulation.Step(500);

@@ -65,7 +65,7 @@ public sealed class LabDiscreteTests
             : Solids.Box(1, new Vector3d(1, 1, 1));
         BodyDescription body = new("cube", mass)
         {
-            Integrator = oldVelocity ? "ExplicitEuler" : "LabEuler",
+            Rule = oldVelocity ? Rules.ExplicitEuler : Rules.LabEuler,
             Lab = new LabSettings
             {
                 Normalise = inputs.GetProperty("normalise").GetBoolean(),

@@ -9,7 +9,7 @@ public sealed class LabEulerTests
     {
         MassProperties mass = PointMasses.Of(
             [new Vector3d(1, 0, 0.2), new Vector3d(-1, 1, -0.2), new Vector3d(0, -1, 0.5), new Vector3d(0, 0, -0.5)], [1, 1, 1, 1]);
-        BodyDescription body = new BodyDescription("b", mass.WithCenterOfMass(Vector3d.Zero)) { Integrator = "LabEuler" }
+        BodyDescription body = new BodyDescription("b", mass.WithCenterOfMass(Vector3d.Zero)) { Rule = Rules.LabEuler }
             .With(new Key(LabKey.R))
             .With(new Key(LabKey.RightArrow))
             .With(new Key(LabKey.UpArrow), 1, 2)
@@ -50,7 +50,7 @@ public sealed class LabEulerTests
         BodyState start = BodyState.AtRest;
         start.Velocity = new Vector3d(1, 0, 0);
         start.AngularVelocity = new Vector3d(0, 0, 2);
-        BodyDescription body = new BodyDescription("b", Solids.Sphere(1, 1)) { Integrator = "LabEuler", Start = start }
+        BodyDescription body = new BodyDescription("b", Solids.Sphere(1, 1)) { Rule = Rules.LabEuler, Start = start }
             .With(new LinearDamping(0.5)).With(new AngularDamping(0.25)).With(new DecayPerStep(0.5, 0.25));
         BodyState state = Scenery.Run(TimeSteps.Every(0.1), body, 1);
         Assert.That(state.Position.X, Is.EqualTo(0.1));
@@ -70,7 +70,7 @@ public sealed class LabEulerTests
         Assert.That(Samples.Apart(a, start.AngularVelocity), Is.GreaterThan(0.05));
 
         BodyDescription Described(Torque torque) =>
-            new BodyDescription("b", Solids.Box(1, new Vector3d(1, 2, 3))) { Integrator = "LabEuler", Start = start }.With(torque);
+            new BodyDescription("b", Solids.Box(1, new Vector3d(1, 2, 3))) { Rule = Rules.LabEuler, Start = start }.With(torque);
     }
 
     private static Vector3d Of(double[] a) => new(a[0], a[1], a[2]);

@@ -20,11 +20,11 @@ internal static class MeasuredOrder
 
     /// <summary>The order under effects that act all the time, or in a window; infinite where the rule makes no error.</summary>
     public static double Of(string integrator, bool inWindow, params OrderedEffect[] effects) =>
-        Of(integrator, Catalogue.Find(integrator).Keeps.HasFlag(Keeps.Motion) ? Moments : Cube, inWindow, effects);
+        Of(integrator, Rules.Named(integrator).Keeps.HasFlag(Keeps.Motion) ? Moments : Cube, inWindow, effects);
 
     /// <summary>The same of a body with other moments (kg m²).</summary>
     public static double Of(string integrator, Vector3d moments, bool inWindow, params OrderedEffect[] effects) =>
-        Of(Catalogue.Find(integrator).Order, steps => Run(integrator, steps, moments, inWindow, effects), Truth(moments, inWindow, effects));
+        Of(Rules.Named(integrator).Order, steps => Run(integrator, steps, moments, inWindow, effects), Truth(moments, inWindow, effects));
 
     /// <summary>The order of a rule that is declared to have this one, from what it comes to in a number of steps.</summary>
     public static double Of(int declared, Func<int, BodyState> run, BodyState truth)
@@ -61,7 +61,7 @@ internal static class MeasuredOrder
     public static BodyDescription Body(string integrator, Vector3d moments) => new("body", MassProperties.FromPrincipal(
         2, moments, new Quaterniond(0.9, 0.1, -0.3, 0.2), new Vector3d(0.1, -0.2, 0.3)))
     {
-        Integrator = integrator,
+        Rule = Rules.Named(integrator),
         Start = new BodyState(new(1, 0.5, -1), new Quaterniond(0.8, 0.2, -0.4, 0.4).Normalized, new(0.5, -1, 1.25), new(0.9, 1.5, -1.1)),
         Unity = new UnitySettings { AngularDrag = 0, MaxAngularVelocity = double.PositiveInfinity, SleepThreshold = 0, InDouble = true },
     };

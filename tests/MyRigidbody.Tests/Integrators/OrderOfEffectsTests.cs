@@ -10,14 +10,14 @@ public sealed class OrderOfEffectsTests
     private const string Page = "docs/integrators.md";
     private static readonly IReadOnlyList<OrderedEffect> Effects = OrderedEffect.All;
     private static readonly Dictionary<string, Lazy<double[,]>> Measured =
-        Catalogue.Rows.ToDictionary(row => row.Name, row => new Lazy<double[,]>(() => Measure(row.Name)));
+        Rules.All.ToDictionary(row => row.Name, row => new Lazy<double[,]>(() => Measure(row.Name)));
 
-    private static IEnumerable<string> Rows => Catalogue.Rows.Select(row => row.Name);
+    private static IEnumerable<string> RuleNames => Rules.All.Select(row => row.Name);
 
     private static IEnumerable<string> Compositions => ["Exact", "Exact4", "Exact6"];
 
     // measured: 0.97 to 1.01, 2.00, 3.9 to 4.1, 5.9 to 6.1
-    [TestCaseSource(nameof(Rows))]
+    [TestCaseSource(nameof(RuleNames))]
     public void Order_under_any_effect_and_any_two_is_the_declared_one(string integrator)
     {
         double[,] orders = Measured[integrator].Value;
@@ -72,7 +72,7 @@ public sealed class OrderOfEffectsTests
     [Test]
     public void Order_for_a_body_is_one_where_a_factor_acts_once_a_step()
     {
-        CatalogueRow row = Catalogue.Find("Exact6");
+        Rule row = Rules.Exact6;
         Assert.That(row.OrderFor(Scenery.Body("Exact6").With(new LinearDamping(1)).With(new DecayPerStep(1, 1))), Is.EqualTo(6));
         Assert.That(row.OrderFor(Scenery.Body("Exact6").With(new DecayPerStep(0.98, 1))), Is.EqualTo(1));
         Assert.That(row.OrderFor(Scenery.Body("Exact6").With(new DecayPerStep(1, 0.98), 3, 4)), Is.EqualTo(1));
@@ -105,14 +105,14 @@ public sealed class OrderOfEffectsTests
         foreach (OrderedEffect effect in effects)
             effect.GiveTo(body, 0.1, 0, 1);
 
-        Assert.That(order, Is.EqualTo(Catalogue.Find(integrator).OrderFor(body)).Within(0.2), string.Join(" and ", effects.Distinct().Select(effect => effect.Name)));
+        Assert.That(order, Is.EqualTo(Rules.Named(integrator).OrderFor(body)).Within(0.2), string.Join(" and ", effects.Distinct().Select(effect => effect.Name)));
     }
 
     /// <summary>A row of the page: alone; and beside every other but the factor per step, from the lowest to the highest.</summary>
     private static string Line(OrderedEffect effect)
     {
         int i = Effects.ToList().IndexOf(effect);
-        IEnumerable<string[]> columns = [[.. Rows.Where(row => Catalogue.Find(row).Order == 1)], .. Rows.Where(row => Catalogue.Find(row).Order > 1).Select(row => new[] { row })];
+        IEnumerable<string[]> columns = [[.. RuleNames.Where(row => Rules.Named(row).Order == 1)], .. RuleNames.Where(row => Rules.Named(row).Order > 1).Select(row => new[] { row })];
         return "| " + effect.Name + " | " + string.Join(" | ", columns.Select(rows =>
             Range(rows.Select(row => Measured[row].Value[i, i])) + "; "
             + Range(rows.SelectMany(row => Enumerable.Range(0, Effects.Count).Where(j => j != i && !Effects[j].IsPerStep).Select(j => Measured[row].Value[i, j]))))) + " |";

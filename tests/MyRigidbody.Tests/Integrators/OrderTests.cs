@@ -8,10 +8,10 @@ public sealed class OrderTests
     // where a rule is exact there is no order to see; measured at most 5.7e-13
     private const double Exact = 1e-11;
 
-    private static IEnumerable<string> Rows => Catalogue.Rows.Select(row => row.Name);
+    private static IEnumerable<string> RuleNames => Rules.All.Select(rule => rule.Name);
 
     // measured: 1.00, 1.98 to 2.00, 3.94 to 4.01; Exact6 is off by 6.7e-14
-    [TestCaseSource(nameof(Rows))]
+    [TestCaseSource(nameof(RuleNames))]
     public void Rotation_of_a_cube_under_the_key_R_converges_with_the_declared_order(string integrator)
     {
         ExactCase.Sample end = ExactCase.Read("cube_sin_torque").Samples[^1];
@@ -23,7 +23,7 @@ public sealed class OrderTests
     }
 
     // measured: 1.00 for each of order 1; the others are off by 5.7e-13 at most
-    [TestCaseSource(nameof(Rows))]
+    [TestCaseSource(nameof(RuleNames))]
     public void Fall_under_a_constant_force_converges_with_the_declared_order(string integrator) => AssertOrder(
         integrator,
         2,
@@ -36,7 +36,7 @@ public sealed class OrderTests
     public void Tumbling_under_a_torque_converges_with_the_declared_order(string integrator, string motion)
     {
         ExactCase solved = ExactCase.Read(motion);
-        int order = Catalogue.Find(integrator).Order;
+        int order = Rules.Named(integrator).Order;
         double coarse = double.NaN, observed = double.NaN;
         for (double step = 0.5; step > 1e-5; step /= 2)
         {
@@ -54,29 +54,29 @@ public sealed class OrderTests
     }
 
     private static IEnumerable<object[]> Torqued =>
-        from row in Catalogue.Rows
-        where row.Keeps.HasFlag(Keeps.Motion)
+        from rule in Rules.All
+        where rule.Keeps.HasFlag(Keeps.Motion)
         from motion in new[] { "body_torque", "world_torque", "lagrange_top" }
-        select new object[] { row.Name, motion };
+        select new object[] { rule.Name, motion };
 
     [Test]
     public void Names_are_unique_found_exactly_as_written_and_default_to_one_of_them()
     {
-        Assert.That(Rows, Is.Unique);
-        foreach (CatalogueRow row in Catalogue.Rows)
+        Assert.That(RuleNames, Is.Unique);
+        foreach (Rule rule in Rules.All)
         {
-            Assert.That(Catalogue.Find(row.Name), Is.SameAs(row));
-            Assert.That(row.Order, Is.GreaterThanOrEqualTo(1));
-            Assert.That(row.About, Is.Not.Empty.And.Not.Contains("\n"));
+            Assert.That(Rules.Named(rule.Name), Is.SameAs(rule));
+            Assert.That(rule.Order, Is.GreaterThanOrEqualTo(1));
+            Assert.That(rule.About, Is.Not.Empty.And.Not.Contains("\n"));
         }
 
-        Assert.That(Catalogue.Rows, Does.Contain(Catalogue.Default));
-        Assert.That(() => Catalogue.Find("labeuler"), Throws.InstanceOf<ArgumentOutOfRangeException>().With.Message.Contains("labeuler"));
+        Assert.That(Rules.All, Does.Contain(Rules.Default));
+        Assert.That(() => Rules.Named("labeuler"), Throws.InstanceOf<ArgumentOutOfRangeException>().With.Message.Contains("labeuler"));
     }
 
     private static void AssertOrder(string integrator, double time, Action<BodyDescription> describe, Func<BodyState, double> error)
     {
-        int order = Catalogue.Find(integrator).Order;
+        int order = Rules.Named(integrator).Order;
         // far enough down that a small term of the declared order is not hidden by a large one of the next
         int steps = order == 1 ? 64_000 : 4000 / (order * order);
         double coarse = Error(steps), fine = Error(2 * steps);
@@ -91,7 +91,7 @@ public sealed class OrderTests
         {
             BodyDescription body = new("cube", Solids.Box(1, new Vector3d(1, 1, 1)))
             {
-                Integrator = integrator,
+                Rule = Rules.Named(integrator),
                 Unity = new UnitySettings
                 {
                     AngularDrag = 0,

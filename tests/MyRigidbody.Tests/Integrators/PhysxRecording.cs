@@ -42,7 +42,7 @@ internal sealed class PhysxRecording
     public BodyDescription Body() => new(_json.GetProperty("name").GetString()!, MassProperties.FromPrincipal(
         Number("mass"), Vector("inertiaTensor"), Turn("inertiaTensorRotation"), Vector("centerOfMass")))
     {
-        Integrator = "UnityRigidbody",
+        Rule = Rules.UnityRigidbody,
         Start = new BodyState(Vector("position"), Turn("rotation"), Vector("linearVelocity"), Vector("angularVelocity")),
         Unity = new UnitySettings
         {

@@ -53,7 +53,7 @@ public sealed class TumblingTests
         BodyDescription like = Scenery.Body(integrator);
         return new Simulation(TimeSteps.Every(0.01), new BodyDescription("slab", Slab)
         {
-            Integrator = like.Integrator,
+            Rule = like.Rule,
             Start = start,
             Unity = new UnitySettings { AngularDrag = 0, InDouble = like.Unity.InDouble },
         });

@@ -47,7 +47,7 @@ public sealed class UnityRigidbodyTests
             start.AngularVelocity = new Vector3d(300, 400, 1200);
             return new BodyDescription("b", Solids.Sphere(1, 1))
             {
-                Integrator = "UnityRigidbody",
+                Rule = Rules.UnityRigidbody,
                 Start = start,
                 Unity = new UnitySettings { AngularDrag = 0, MaxAngularVelocity = limit, InDouble = inDouble },
             };
@@ -69,7 +69,7 @@ public sealed class UnityRigidbodyTests
 
             Simulation AtRest(double threshold) => new(TimeSteps.Every(Dt), new BodyDescription("b", Solids.Sphere(1, 1))
             {
-                Integrator = "UnityRigidbody",
+                Rule = Rules.UnityRigidbody,
                 Unity = new UnitySettings { SleepThreshold = threshold, InDouble = inDouble },
             });
         }
@@ -80,7 +80,7 @@ public sealed class UnityRigidbodyTests
     {
         Hand hand = new();
         // gravity begins when the body sleeps: PhysX does not wake it for that
-        Simulation simulation = new(TimeSteps.Every(Dt), new BodyDescription("b", Solids.Sphere(1, 1)) { Integrator = "UnityRigidbody" }
+        Simulation simulation = new(TimeSteps.Every(Dt), new BodyDescription("b", Solids.Sphere(1, 1)) { Rule = Rules.UnityRigidbody }
             .With(new HeldBy(hand)).With(new Gravity(new Vector3d(0, -10, 0)), 1));
         simulation.Step(100);
         Assert.That((simulation.Bodies[0].State.Position, simulation.Bodies[0].IsAsleep), Is.EqualTo((Vector3d.Zero, true)));
@@ -99,7 +99,7 @@ public sealed class UnityRigidbodyTests
         start.AngularVelocity = new Vector3d(0, 0, 2);
         BodyDescription body = new BodyDescription("b", Solids.Sphere(1, 1))
         {
-            Integrator = "UnityRigidbody",
+            Rule = Rules.UnityRigidbody,
             Start = start,
             Unity = new UnitySettings { Drag = 0.5, AngularDrag = 2, InDouble = true },
         }.With(new LinearDamping(0.3)).With(new AngularDamping(0.2)).With(new DecayPerStep(0.5, 0.25));
@@ -115,7 +115,7 @@ public sealed class UnityRigidbodyTests
         MassProperties mass = MassProperties.FromPrincipal(1, new Vector3d(1, 2, 2.5), new Quaterniond(0.5, 0.5, 0.5, 0.5), Vector3d.Zero);
         BodyDescription body = new BodyDescription("b", mass)
         {
-            Integrator = "UnityRigidbody",
+            Rule = Rules.UnityRigidbody,
             Start = new BodyState(Vector3d.Zero, new Quaterniond(1, 0, 0, 1), Vector3d.Zero, Vector3d.Zero),
             Unity = new UnitySettings { AngularDrag = 0, InDouble = true },
         }.With(new Torque(new Vector3d(3, 0, 0), Vector3d.Zero, Vector3d.Zero, 0, inBody: true));
@@ -128,6 +128,6 @@ public sealed class UnityRigidbodyTests
     {
         BodyState start = BodyState.AtRest;
         start.AngularVelocity = new Vector3d(1, 2, 0.5);
-        return new BodyDescription("b", Solids.Box(1, new Vector3d(1, 2, 3))) { Integrator = integrator, Start = start, Unity = settings };
+        return new BodyDescription("b", Solids.Box(1, new Vector3d(1, 2, 3))) { Rule = Rules.Named(integrator), Start = start, Unity = settings };
     }
 }

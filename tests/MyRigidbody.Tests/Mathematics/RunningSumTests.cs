@@ -24,7 +24,7 @@ public sealed class RunningSumTests
     [TestCase("Splitting", 0.01)]
     public void Constant_force_moves_a_body_to_the_last_bits_however_many_steps_it_takes(string integrator, double step)
     {
-        BodyDescription body = new BodyDescription("b", Solids.Sphere(1.3, 1)) { Integrator = integrator }.With(new Force(new Vector3d(2.03, 0, 0)));
+        BodyDescription body = new BodyDescription("b", Solids.Sphere(1.3, 1)) { Rule = Rules.Named(integrator) }.With(new Force(new Vector3d(2.03, 0, 0)));
         body.Start = new BodyState(new Vector3d(1, 0, 0), Quaterniond.Identity, new Vector3d(0.7, 0, 0), Vector3d.Zero);
         Simulation simulation = new(TimeSteps.Every(step), body);
         double worst = 0;

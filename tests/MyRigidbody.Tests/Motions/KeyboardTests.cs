@@ -9,7 +9,7 @@ public sealed class KeyboardTests
     // R to the end: where nothing turns a body any more, the exact rules take a shorter way, and round otherwise
     private static readonly (LabKey Key, int From, int To)[] Pressed = [(LabKey.R, 0, 200), (LabKey.RightArrow, 50, 100), (LabKey.UpArrow, 75, 125), (LabKey.LeftArrow, 90, 95)];
 
-    [TestCaseSource(nameof(Rules))]
+    [TestCaseSource(nameof(RuleNames))]
     public void Keys_held_while_a_scene_would_press_them_move_the_body_to_the_same_bits(string rule)
     {
         Keyboard keyboard = new();
@@ -55,9 +55,9 @@ public sealed class KeyboardTests
     public void Key_that_the_lab_does_not_have_is_refused(int key) => Assert.That(
         () => new Keyboard()[(LabKey)key] = true, Throws.InstanceOf<ArgumentOutOfRangeException>().With.Message.Contains("found " + key));
 
-    private static IEnumerable<string> Rules() => Catalogue.Rows.Select(row => row.Name);
+    private static IEnumerable<string> RuleNames() => Rules.All.Select(rule => rule.Name);
 
-    private static BodyDescription Body(string rule) => new("body", Solids.Box(2, new Vector3d(1, 2, 3))) { Integrator = rule };
+    private static BodyDescription Body(string rule) => new("body", Solids.Box(2, new Vector3d(1, 2, 3))) { Rule = Rules.Named(rule) };
 
     private static bool HasSameBits(BodyState a, BodyState b) =>
         a.Position == b.Position && a.Orientation == b.Orientation && a.Velocity == b.Velocity && a.AngularVelocity == b.AngularVelocity;

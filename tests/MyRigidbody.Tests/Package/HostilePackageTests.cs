@@ -91,7 +91,7 @@ public sealed class HostilePackageTests
         Asset folder = new("Assets/MyRigidbody", "0123456789abcdef0123456789abcd00", null, Meta.Folder("0123456789abcdef0123456789abcd00"));
         Asset file = new("Assets/MyRigidbody/" + name, Guid, [1], Meta.Text(Guid));
 
-        Assert.That(() => Rules.Checked([folder, file]), isPacked ? Throws.Nothing : Throws.TypeOf<InputException>().With.Message.EndsWith("has a name that Windows keeps for a device"));
+        Assert.That(() => AssetRules.Checked([folder, file]), isPacked ? Throws.Nothing : Throws.TypeOf<InputException>().With.Message.EndsWith("has a name that Windows keeps for a device"));
     }
 
     [TestCase("link")]

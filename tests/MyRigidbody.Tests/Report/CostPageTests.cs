@@ -20,7 +20,7 @@ public sealed class CostPageTests
             .Select(trial => (rules[trial[0].GetInt32()], trial[2].GetDouble(), trial[3].GetDouble()))];
         Trial[] expected = [.. Found.Trials.Where(trial => double.IsFinite(trial.Error))];
 
-        Assert.That(shown.Select(trial => trial.Item1), Is.EqualTo(expected.Select(trial => trial.Row.Name)));
+        Assert.That(shown.Select(trial => trial.Item1), Is.EqualTo(expected.Select(trial => trial.Rule.Name)));
         for (int i = 0; i < shown.Length; i++)
         {
             // six digits are written
@@ -35,7 +35,7 @@ public sealed class CostPageTests
         string[] rows = [.. Page.Document.QuerySelectorAll("#cost tbody th").Select(cell => cell.TextContent)];
         string headings = Page.Document.QuerySelector("#cost thead")!.TextContent;
 
-        Assert.That(rows, Is.EqualTo(Catalogue.Rows.Select(row => row.Name)));
+        Assert.That(rows, Is.EqualTo(Rules.All.Select(rule => rule.Name)));
         foreach (string bound in new[] { "1e-3", "1e-6", "1e-9" })
             Assert.That(headings, Does.Contain($"to {bound}").And.Contain($"达到 {bound}"));
     }

@@ -68,7 +68,7 @@ public sealed partial class WordsTests
     [Test]
     public void What_rules_say_is_there_in_Chinese()
     {
-        string[] said = [.. Scenes.SelectMany(path => Pair.Of(SceneReader.Read(path))).SelectMany(Rule.Between).SelectMany(rule => new[] { rule.Name, rule.Mine, rule.Unitys })];
+        string[] said = [.. Scenes.SelectMany(path => Pair.Of(SceneReader.Read(path))).SelectMany(Difference.Between).SelectMany(rule => new[] { rule.Name, rule.Mine, rule.Unitys })];
 
         Assert.That(said, Has.Length.GreaterThan(50));
         Assert.That(said.Distinct().Where(IsOnlyEnglish), Is.Empty);

@@ -104,7 +104,7 @@ public sealed class EffectsPageTests
     private static Vector3d At(string rule, double step)
     {
         BodyDescription ball = Ball().With(Blowing);
-        ball.Integrator = rule;
+        ball.Rule = Rules.Named(rule);
         Simulation simulation = new(TimeSteps.Every(step), ball);
         simulation.Step((long)Math.Round(3 / step));
         return simulation.Bodies[0].State.Position;

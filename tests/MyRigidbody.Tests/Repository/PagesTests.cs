@@ -50,7 +50,7 @@ public sealed class PagesTests
     {
         BodyDescription cube = new("cube", Solids.Box(1, new Vector3d(1, 1, 1)))
         {
-            Integrator = "LabEuler",
+            Rule = Rules.LabEuler,
             Start = new BodyState(Vector3d.Zero, Quaterniond.Identity, Vector3d.Zero, new Vector3d(spin, 0, 0)),
             Lab = new LabSettings { Normalise = false },
         };
@@ -66,7 +66,7 @@ public sealed class PagesTests
     {
         BodyDescription cube = new("cube", Solids.Box(1, new Vector3d(1, 1, 1)))
         {
-            Integrator = "LabEuler",
+            Rule = Rules.LabEuler,
             Start = new BodyState(Vector3d.Zero, Quaterniond.Identity, Vector3d.Zero, new Vector3d(spin, 0, 0)),
         };
         Simulation simulation = new(TimeSteps.Every(0.02), cube);

@@ -16,7 +16,7 @@ public sealed class ReadmeTests
         RuleShares found = RuleShares.Of(Pair.Of(lab)[0], lab.Scene.Steps);
         List<string> expected = [.. found.Shares.Select(share => string.Create(
             CultureInfo.InvariantCulture,
-            $"{share.Rule.Name}|{Percent(share.Distance / found.Whole.MeanDistance)}|{Percent(share.Turn / found.Whole.MeanTurn)}"))];
+            $"{share.Difference.Name}|{Percent(share.Distance / found.Whole.MeanDistance)}|{Percent(share.Turn / found.Whole.MeanTurn)}"))];
         expected.Add(string.Create(
             CultureInfo.InvariantCulture,
             $"all|{found.Whole.MeanDistance:F3} m|{found.Whole.MeanTurn * 180 / Math.PI:F0}°"));
@@ -35,17 +35,17 @@ public sealed class ReadmeTests
     public void Table_of_integrators_is_the_catalogue_and_its_errors_are_measured(string page)
     {
         ExactCase solved = ExactCase.Read("asym_moderate");
-        List<string> expected = [.. Catalogue.Rows.Select(row =>
+        List<string> expected = [.. Rules.All.Select(rule =>
         {
             // as run runs it: a body that coasts is not stepped
             double error = 0;
             SolvedScene.Run(
                 solved,
-                row.Name,
+                rule.Name,
                 0.02,
                 (state, sample, _) => error = sample.Time <= 100 && sample.Time % 1 == 0 ? Math.Max(error, Conserved.AngleBetween(state.Orientation, sample.Orientation)) : error,
                 Omissions.All);
-            return string.Create(CultureInfo.InvariantCulture, $"`{row.Name}` | {row.Order} | {Short(error)}");
+            return string.Create(CultureInfo.InvariantCulture, $"`{rule.Name}` | {rule.Order} | {Short(error)}");
         })];
 
         TestContext.Out.WriteLine(string.Join("\n", expected));

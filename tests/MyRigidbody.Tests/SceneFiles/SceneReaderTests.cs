@@ -18,7 +18,7 @@ public sealed class SceneReaderTests
         Assert.That(scene.Name, Is.EqualTo("all"));
         Assert.That(scene.About, Is.EqualTo("every name"));
         Assert.That(scene.Steps.Count, Is.EqualTo(50));
-        Assert.That(a.Integrator, Is.EqualTo("LabEuler"));
+        Assert.That(a.Rule.Name, Is.EqualTo("LabEuler"));
         Assert.That(a.Mass.Mass, Is.EqualTo(2));
         // m/4 (b² + c²) of a box with all mass in its vertices
         Assert.That(a.Mass.PrincipalMoments.X, Is.EqualTo(2.0 / 4 * (4 + 9)).Within(1e-14)); // measured 0
@@ -76,7 +76,7 @@ public sealed class SceneReaderTests
         Assert.That(body.Mass.Mass, Is.EqualTo(1));
         Assert.That(body.Mass.PrincipalMoments.X, Is.EqualTo(1.0 / 6).Within(1e-16)); // measured 0
         Assert.That(body.Start, Is.EqualTo(BodyState.AtRest));
-        Assert.That(body.Integrator, Is.EqualTo(Catalogue.Default.Name));
+        Assert.That(body.Rule.Name, Is.EqualTo(Rules.Default.Name));
         Assert.That(body.CanMove && body.CanTurn, Is.True);
         Assert.That(body.Effects, Is.Empty);
     }

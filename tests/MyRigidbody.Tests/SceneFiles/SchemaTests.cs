@@ -56,7 +56,7 @@ public sealed class SchemaTests
         Assert.That(key["enum"]!.AsArray().Select(name => name!.GetValue<string>()), Is.EqualTo(Enum.GetNames<LabKey>()));
         Assert.That(
             definitions["body"]!["properties"]!["integrator"]!["enum"]!.AsArray().Select(name => name!.GetValue<string>()),
-            Is.EqualTo(Catalogue.Rows.Select(row => row.Name)));
+            Is.EqualTo(Rules.All.Select(rule => rule.Name)));
     }
 
     [Test]

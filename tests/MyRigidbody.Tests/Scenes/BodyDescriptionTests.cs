@@ -12,7 +12,7 @@ public sealed class BodyDescriptionTests
         BodyDescription body = new("b", Mass);
         Assert.That(body.Start, Is.EqualTo(new BodyState(Vector3d.Zero, Quaterniond.Identity, Vector3d.Zero, Vector3d.Zero)));
         Assert.That((body.Name, body.Mass, body.CanMove, body.CanTurn, body.Effects.Count), Is.EqualTo(("b", Mass, true, true, 0)));
-        Assert.That(body.Integrator, Is.EqualTo(Catalogue.Default.Name));
+        Assert.That(body.Rule.Name, Is.EqualTo(Rules.Default.Name));
         Assert.That((body.Lab.Normalise, body.Lab.UnitRotation), Is.EqualTo((true, false)));
     }
 
@@ -56,7 +56,7 @@ public sealed class BodyDescriptionTests
     {
         BodyDescription body = new BodyDescription("b", Mass)
         {
-            Integrator = "UnityRigidbody",
+            Rule = Rules.UnityRigidbody,
             Start = Pushes.State,
             CanMove = false,
             CanTurn = false,
@@ -65,7 +65,7 @@ public sealed class BodyDescriptionTests
         }.With(new Key(LabKey.R));
         MassProperties other = Solids.Sphere(2, 2);
         BodyDescription copy = body.Copy("copy", other);
-        Assert.That((copy.Name, copy.Mass, copy.Integrator, copy.Start), Is.EqualTo(("copy", other, "UnityRigidbody", Pushes.State)));
+        Assert.That((copy.Name, copy.Mass, copy.Rule.Name, copy.Start), Is.EqualTo(("copy", other, "UnityRigidbody", Pushes.State)));
         Assert.That((copy.CanMove, copy.CanTurn, copy.Lab.Normalise, copy.Lab.UnitRotation), Is.EqualTo((false, false, false, true)));
         Assert.That((copy.Unity.Drag, copy.Unity.GyroscopicForces), Is.EqualTo((3.0, true)));
         Assert.That(copy.Effects, Is.EqualTo(body.Effects));
@@ -78,7 +78,7 @@ public sealed class BodyDescriptionTests
     [Test]
     public void Settings_of_a_running_body_are_those_of_its_start()
     {
-        BodyDescription body = new("b", Mass) { Integrator = "UnityRigidbody", Start = Pushes.State };
+        BodyDescription body = new("b", Mass) { Rule = Rules.UnityRigidbody, Start = Pushes.State };
         Simulation running = new(TimeSteps.Every(0.1), body), unchanged = new(TimeSteps.Every(0.1), body.Copy("b", Mass));
         body.Unity.Drag = 9;
         body.Start = BodyState.AtRest;

@@ -170,7 +170,7 @@ public sealed class DormantBodyTests
         BodyDescription like = Scenery.Body(integrator);
         return new BodyDescription(name, Solids.Box(1, new Vector3d(1, 2, 3)))
         {
-            Integrator = like.Integrator,
+            Rule = like.Rule,
             Unity = like.Unity,
             Start = new BodyState(new Vector3d(1, 2, 3), Pushes.State.Orientation, velocity, spin),
         };

@@ -42,7 +42,7 @@ public sealed class ExplanationTests
         {
             foreach (bool isPushed in new[] { false, true })
             {
-                BodyDescription like = Scenery.Body(integrator), body = Top(like.Integrator, new Vector3d(1, 2, 3));
+                BodyDescription like = Scenery.Body(integrator), body = Top(like.Rule.Name, new Vector3d(1, 2, 3));
                 body.Unity = like.Unity;
                 body.Start = new BodyState(Vector3d.Zero, Quaterniond.Identity, spin, spin);
                 if (isPushed)
@@ -152,7 +152,7 @@ public sealed class ExplanationTests
 
     private static BodyDescription Top(string integrator, Vector3d moments) => new("top", MassProperties.FromPrincipal(1, moments))
     {
-        Integrator = integrator,
+        Rule = Rules.Named(integrator),
         Start = new BodyState(Vector3d.Zero, Quaterniond.Identity, new Vector3d(1, 2, 3), new Vector3d(1, 1.1, 0.9)),
     };
 }

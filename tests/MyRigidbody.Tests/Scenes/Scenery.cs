@@ -13,7 +13,7 @@ internal static class Scenery
     }
 
     /// <summary>Names of the catalogue's rows; Unity's twice, for its two precisions.</summary>
-    public static IEnumerable<string> Integrators => Catalogue.Rows.Select(row => row.Name).Append(InDouble);
+    public static IEnumerable<string> Integrators => Rules.All.Select(rule => rule.Name).Append(InDouble);
 
     private const string InDouble = "UnityRigidbody in double";
 
@@ -23,7 +23,7 @@ internal static class Scenery
             2, new Vector3d(1, 2, 2.5), new Quaterniond(0.9, 0.1, -0.3, 0.2), new Vector3d(0.1, -0.2, 0.3));
         return new BodyDescription(name, mass)
         {
-            Integrator = integrator == InDouble ? "UnityRigidbody" : integrator,
+            Rule = integrator == InDouble ? Rules.UnityRigidbody : Rules.Named(integrator),
             Start = Pushes.State,
             Unity = new UnitySettings { InDouble = integrator == InDouble, Drag = 0.1 },
         };

@@ -69,7 +69,7 @@ public sealed class SimulationTests
         Scene scene = new("name", "about", TimeSteps.Every(1), [description]);
         Simulation simulation = new(scene);
         Body body = simulation.Bodies[0];
-        Assert.That((body.Name, body.Integrator, body.Mass, body.IsAsleep), Is.EqualTo(("box", "UnityRigidbody", description.Mass, false)));
+        Assert.That((body.Name, body.Rule.Name, body.Mass, body.IsAsleep), Is.EqualTo(("box", "UnityRigidbody", description.Mass, false)));
         Assert.That(simulation.Scene, Is.SameAs(scene));
         Assert.That((scene.Name, scene.About, scene.Bodies[0]), Is.EqualTo(("name", "about", description)));
     }
@@ -142,7 +142,7 @@ public sealed class SimulationTests
     private static BodyDescription OnItsCentre(string integrator)
     {
         BodyDescription body = Scenery.Body(integrator);
-        return new BodyDescription("body", Solids.Box(1, new Vector3d(1, 2, 3))) { Integrator = body.Integrator, Unity = body.Unity }
+        return new BodyDescription("body", Solids.Box(1, new Vector3d(1, 2, 3))) { Rule = body.Rule, Unity = body.Unity }
             .With(new Gravity(new Vector3d(0, -9.81, 0)))
             .With(new Key(LabKey.R))
             .With(new Key(LabKey.RightArrow))

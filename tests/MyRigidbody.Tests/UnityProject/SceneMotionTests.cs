@@ -87,7 +87,7 @@ public sealed partial class SceneMotionTests
         double[] sorted = [.. new[] { moments.X, moments.Y, moments.Z }.Order()];
         Simulation simulation = new(
             TimeSteps.Every(0.02),
-            new BodyDescription(name, mass) { Integrator = name, Start = new BodyState(slab.Position, Quaterniond.Identity, Vector3d.Zero, spin) });
+            new BodyDescription(name, mass) { Rule = Rules.Named(name), Start = new BodyState(slab.Position, Quaterniond.Identity, Vector3d.Zero, spin) });
 
         // the end that is painted, along x, which is the middle axis
         double? turned = null;

@@ -25,7 +25,7 @@ namespace RigidBodyDynamics.Scripts.Tests.Headless
             Assert.That(Gui.Drawn.Count(control => control.Kind == "property"), Is.EqualTo(12));
             Assert.That(Gui.Drawn, Has.Member(("menu", "Integrator")).And.Member(("property", "Start Velocity")));
             Assert.That(Gui.Drawn, Has.Member(("help Info", body.Explain())));
-            Assert.That(Gui.Drawn, Has.Member(("help None", Catalogue.Rows.Single(row => row.Name == "LabEuler").About)));
+            Assert.That(Gui.Drawn, Has.Member(("help None", Rules.All.Single(rule => rule.Name == "LabEuler").About)));
         }
 
         [Test]
@@ -33,13 +33,13 @@ namespace RigidBodyDynamics.Scripts.Tests.Headless
         {
             MyRigidbody body = _cube.AddComponent<MyRigidbody>();
             Editor inspector = Editor.CreateEditor(body);
-            string[] names = Catalogue.Rows.Select(row => row.Name).ToArray();
+            string[] names = Rules.All.Select(rule => rule.Name).ToArray();
 
             Gui.Choose(inspector, "Integrator", Array.IndexOf(names, "Exact"));
             Player.Frame(0.02);
 
             Assert.That(body.integrator, Is.EqualTo("Exact"));
-            Assert.That(body.Body.Integrator, Is.EqualTo("Exact"));
+            Assert.That(body.Body.Rule.Name, Is.EqualTo("Exact"));
         }
 
         [Test]

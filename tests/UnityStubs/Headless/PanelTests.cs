@@ -130,15 +130,15 @@ namespace RigidBodyDynamics.Scripts.Tests.Headless
         [Test]
         public void Each_rule_of_the_catalogue_can_be_chosen()
         {
-            foreach (CatalogueRow row in Catalogue.Rows)
+            foreach (Rule rule in Rules.All)
             {
                 Gui.Click(_mine.integrator + "  ▼");
                 Frames(1);
-                Gui.Click(row.Name);
+                Gui.Click(rule.Name);
                 Frames(3);
-                Assert.That(_mine.Body.Integrator, Is.EqualTo(row.Name));
+                Assert.That(_mine.Body.Rule.Name, Is.EqualTo(rule.Name));
                 Assert.That(_experiment.Steps, Is.EqualTo(3));
-                Assert.That(Gui.Texts, Has.Member(row.Name + "  ▼"));
+                Assert.That(Gui.Texts, Has.Member(rule.Name + "  ▼"));
             }
         }
 

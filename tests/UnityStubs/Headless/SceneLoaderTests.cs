@@ -39,7 +39,7 @@ namespace RigidBodyDynamics.Scripts.Tests.Headless
             Assert.That(mine.readsKeys, Is.False);
             Assert.That(mine.linearDecay, Is.EqualTo(0.98), "what the file does not name keeps its value");
             Assert.That(mine.comparedWith, Is.SameAs(_roots[0].GetComponent<DefaultRigidbody>()));
-            Assert.That(mine.Body.Integrator, Is.EqualTo("Exact"));
+            Assert.That(mine.Body.Rule.Name, Is.EqualTo("Exact"));
             Assert.That(mine.State.Velocity.X, Is.EqualTo(0.5));
             Assert.That(mine.State.Position.Z, Is.EqualTo(3));
 

@@ -10,7 +10,7 @@ namespace RigidBodyDynamics.Scripts.Editing
     [CanEditMultipleObjects]
     public sealed class MyRigidbodyEditor : Editor
     {
-        private static readonly string[] Names = Catalogue.Rows.Select(row => row.Name).ToArray();
+        private static readonly string[] Names = Rules.All.Select(rule => rule.Name).ToArray();
 
         /// <summary>Draws it.</summary>
         public override void OnInspectorGUI()
@@ -43,7 +43,7 @@ namespace RigidBodyDynamics.Scripts.Editing
                 integrator.stringValue = Names[chosen];
 
             if (now >= 0)
-                EditorGUILayout.HelpBox(Catalogue.Rows[now].About, MessageType.None);
+                EditorGUILayout.HelpBox(Rules.All[now].About, MessageType.None);
         }
     }
 }

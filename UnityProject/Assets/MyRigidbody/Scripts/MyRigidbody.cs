@@ -152,7 +152,7 @@ namespace RigidBodyDynamics.Scripts
             if (GetComponent<Rigidbody>() != null)
                 throw new ArgumentException("a Rigidbody on the same object would move it too; remove one of them");
 
-            BodyDescription body = new BodyDescription(name, InertiaOf.Object(this, mass, inertia)) { Integrator = integrator, Start = start };
+            BodyDescription body = new BodyDescription(name, InertiaOf.Object(this, mass, inertia)) { Rule = Rules.Named(integrator), Start = start };
             if (useGravity)
                 body.With(new Gravity(Physics.gravity.Double()));
 

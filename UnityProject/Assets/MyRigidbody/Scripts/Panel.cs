@@ -159,12 +159,12 @@ namespace RigidBodyDynamics.Scripts
 
         private void Choose(MyRigidbody body)
         {
-            foreach (CatalogueRow row in Catalogue.Rows)
+            foreach (Rule rule in Rules.All)
             {
-                if (!GUILayout.Button(new GUIContent(row.Name, row.About)))
+                if (!GUILayout.Button(new GUIContent(rule.Name, rule.About)))
                     continue;
 
-                body.integrator = row.Name;
+                body.integrator = rule.Name;
                 _choosing = null;
                 _experiment.StartAgain();
             }

@@ -71,7 +71,7 @@ namespace RigidBodyDynamics.Scripts
             double step = _watched.Scene.Steps.Length(0);
             BodyDescription found = _body.Description;
             BodyDescription exact = found.Copy("exact", found.Mass).Without(effect => effect.Motion is DecayPerStep);
-            exact.Integrator = "Exact6";
+            exact.Rule = Rules.Exact6;
             if (_body.damping == DampingKind.FactorPerStep)
             {
                 // the factor as a rate: what the lab's rule tends to as its step shrinks

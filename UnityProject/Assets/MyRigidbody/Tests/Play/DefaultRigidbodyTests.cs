@@ -50,7 +50,7 @@ namespace RigidBodyDynamics.Scripts.Tests.Play
             yield return new WaitForFixedUpdate();
             DefaultRigidbody body = MakeDefault(set);
             Keyboard keyboard = new Keyboard();
-            BodyDescription expected = new BodyDescription("cube", mass) { Integrator = "UnityRigidbody", Unity = unity };
+            BodyDescription expected = new BodyDescription("cube", mass) { Rule = Rules.UnityRigidbody, Unity = unity };
             Simulation library = new Simulation(TimeSteps.Every(StepLength), expected.With(new HeldKeys(keyboard)));
             for (int step = 0; step < 200; step++)
             {

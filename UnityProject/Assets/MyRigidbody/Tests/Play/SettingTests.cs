@@ -91,7 +91,7 @@ namespace RigidBodyDynamics.Scripts.Tests.Play
                 new BodyDescription("cube", PointMasses.BoxVertices(1, new Vector3d(1, 1, 1))) { Start = here }.With(new HeldKeys(new Keyboard())));
             library.Step();
             Assert.That(Numbers(body.State), Is.EqualTo(Numbers(library.Bodies[0].State)));
-            Assert.That(body.Body.Integrator, Is.EqualTo("Exact"));
+            Assert.That(body.Body.Rule.Name, Is.EqualTo("Exact"));
         }
 
         private Vector3d Moments(InertiaKind inertia) => MakeStill(

@@ -85,7 +85,7 @@ namespace RigidBodyDynamics.Scripts.Tests.Play
         {
             BodyDescription body = new BodyDescription("box", PointMasses.BoxVertices(1.5, new Vector3d(1, 2, 3)))
             {
-                Integrator = integrator,
+                Rule = Rules.Named(integrator),
                 Start = new BodyState(
                     new Vector3d(Place.x, Place.y, Place.z),
                     new Quaterniond(Turned.w, Turned.x, Turned.y, Turned.z),

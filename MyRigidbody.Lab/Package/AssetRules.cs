@@ -5,7 +5,7 @@ using RigidBodyDynamics.Lab.Output;
 namespace RigidBodyDynamics.Lab.Package;
 
 /// <summary>What must be true of a package for every editor to import it: each of these has broken somebody's.</summary>
-internal static partial class Rules
+internal static partial class AssetRules
 {
     // longer paths fail on Windows once they stand in somebody's project
     private const int LongestPath = 120;

@@ -39,16 +39,16 @@ namespace RigidBodyDynamics
         SeveralTimesTheLab,
     }
 
-    /// <summary>An integrator in the catalogue, and what it promises.</summary>
-    public abstract class CatalogueRow
+    /// <summary>A rule by which a body moves, and what it promises. <see cref="Rules"/> has them.</summary>
+    public abstract class Rule
     {
-        internal CatalogueRow(string name, int order, Keeps keeps, Cost cost, string about)
+        internal Rule(string name, int order, Keeps keeps, Cost cost, string about)
         {
-            Name = name;
-            Order = order;
+            Name = !string.IsNullOrEmpty(name) ? name : throw Guard.Refused(nameof(name), name, "must not be empty");
+            Order = order >= 1 ? order : throw Guard.Refused(nameof(order), order, "must be at least 1");
             Keeps = keeps;
             Cost = cost;
-            About = about;
+            About = Guard.NotNull(about, nameof(about));
         }
 
         /// <summary>The name by which scenes and commands call it.</summary>
@@ -82,9 +82,12 @@ namespace RigidBodyDynamics
             return coasting.LinearFactorPerStep == 1 && coasting.AngularFactorPerStep == 1 ? Order : 1;
         }
 
+        /// <summary>Its name.</summary>
+        public sealed override string ToString() => Name;
+
         internal Body Build(BodyPlan plan, Clock clock) => Use(plan.Body, new BodyMaker(plan, clock));
 
-        /// <summary>Does something with the row's rule as a type, the one that suits a body.</summary>
+        /// <summary>Does something with the rule as a type, the one that suits a body.</summary>
         internal abstract TResult Use<TResult>(BodyDescription body, IRuleUse<TResult> use);
 
         /// <summary>The rotation of a body by this rule, in words.</summary>
@@ -122,18 +125,18 @@ namespace RigidBodyDynamics
         TResult With<TIntegrator>() where TIntegrator : struct, IIntegrator;
     }
 
-    /// <summary>A row whose rule is the struct <typeparamref name="TIntegrator"/>.</summary>
-    internal sealed class CatalogueRow<TIntegrator> : CatalogueRow where TIntegrator : struct, IIntegrator
+    /// <summary>A rule that is the struct <typeparamref name="TIntegrator"/>.</summary>
+    internal sealed class RuleOf<TIntegrator> : Rule where TIntegrator : struct, IIntegrator
     {
-        public CatalogueRow(string name, int order, Keeps keeps, Cost cost, string about) : base(name, order, keeps, cost, about) { }
+        public RuleOf(string name, int order, Keeps keeps, Cost cost, string about) : base(name, order, keeps, cost, about) { }
 
         internal override TResult Use<TResult>(BodyDescription body, IRuleUse<TResult> use) => use.With<TIntegrator>();
     }
 
-    /// <summary>The row whose rule is chosen by the body's own precision.</summary>
-    internal sealed class UnityRow : CatalogueRow
+    /// <summary>The rule that is chosen by the body's own precision.</summary>
+    internal sealed class UnityRule : Rule
     {
-        public UnityRow(string name, int order, Keeps keeps, Cost cost, string about) : base(name, order, keeps, cost, about) { }
+        public UnityRule(string name, int order, Keeps keeps, Cost cost, string about) : base(name, order, keeps, cost, about) { }
 
         internal override string Rotation(BodyDescription body) =>
             body.Unity.GyroscopicForces ? "rotation by PhysX's rule with its gyroscopic switch" : base.Rotation(body);
@@ -153,10 +156,10 @@ namespace RigidBodyDynamics
             body.Unity.InDouble ? use.With<UnityRigidbody<ToDouble>>() : use.With<UnityRigidbody<ToSingle>>();
     }
 
-    /// <summary>The row whose free rotation is split.</summary>
-    internal sealed class SplittingRow : CatalogueRow
+    /// <summary>The rule whose free rotation is split.</summary>
+    internal sealed class SplittingRule : Rule
     {
-        public SplittingRow(string name, int order, Keeps keeps, Cost cost, string about) : base(name, order, keeps, cost, about) { }
+        public SplittingRule(string name, int order, Keeps keeps, Cost cost, string about) : base(name, order, keeps, cost, about) { }
 
         internal override string Rotation(BodyDescription body) => "free rotation, split into three (order 2)";
 
@@ -164,10 +167,10 @@ namespace RigidBodyDynamics
             body.CanTurn ? use.With<Composition<SplitTop, Order2>>() : use.With<Composition<HeldTop, Order2>>();
     }
 
-    /// <summary>A row whose free rotation is chosen by the body's moments: each body pays for what it is.</summary>
-    internal sealed class CompositionRow<TScheme> : CatalogueRow where TScheme : struct, IScheme
+    /// <summary>A rule whose free rotation is chosen by the body's moments: each body pays for what it is.</summary>
+    internal sealed class CompositionRule<TScheme> : Rule where TScheme : struct, IScheme
     {
-        public CompositionRow(string name, int order, Keeps keeps, Cost cost, string about) : base(name, order, keeps, cost, about) { }
+        public CompositionRule(string name, int order, Keeps keeps, Cost cost, string about) : base(name, order, keeps, cost, about) { }
 
         internal override TResult Use<TResult>(BodyDescription body, IRuleUse<TResult> use) =>
             FreeTops.Choose(body, new WithTop<TResult>(use));

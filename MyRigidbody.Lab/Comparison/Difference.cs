@@ -2,12 +2,12 @@ using System.Globalization;
 
 namespace RigidBodyDynamics.Lab.Comparison;
 
-/// <summary>One rule in which MyRigidbody and DefaultRigidbody differ.</summary>
+/// <summary>One thing in which MyRigidbody and DefaultRigidbody differ.</summary>
 /// <param name="Name">What the rule is about.</param>
 /// <param name="Mine">What MyRigidbody does.</param>
 /// <param name="Unitys">What DefaultRigidbody does.</param>
 /// <param name="Exchange">A body with this rule exchanged.</param>
-internal sealed record Rule(string Name, string Mine, string Unitys, Func<BodyDescription, BodyDescription> Exchange)
+internal sealed record Difference(string Name, string Mine, string Unitys, Func<BodyDescription, BodyDescription> Exchange)
 {
     /// <summary>True for effects that Unity has as drag.</summary>
     public static bool IsDamping(Effect effect) => effect.Motion is ICoast && effect.Motion.Traits.HasFlag(PushTraits.IsDamping);
@@ -19,7 +19,7 @@ internal sealed record Rule(string Name, string Mine, string Unitys, Func<BodyDe
     public static BodyDescription LabInUnitysShape(BodyDescription mine)
     {
         BodyDescription body = mine.Copy("mine", mine.Mass);
-        body.Integrator = Pair.UnityRow;
+        body.Rule = Rules.UnityRigidbody;
         body.Unity = new UnitySettings
         {
             Drag = 0,
@@ -33,32 +33,32 @@ internal sealed record Rule(string Name, string Mine, string Unitys, Func<BodyDe
     }
 
     /// <summary>The rules in which a pair differs, in the order in which they are exchanged.</summary>
-    public static IReadOnlyList<Rule> Between(Pair pair)
+    public static IReadOnlyList<Difference> Between(Pair pair)
     {
         BodyDescription mine = pair.Mine, unity = pair.Default;
         UnitySettings to = unity.Unity;
-        List<Rule> rules = [];
-        if (mine.Integrator != "LabEuler")
+        List<Difference> rules = [];
+        if (mine.Rule != Rules.LabEuler)
         {
-            rules.Add(new Rule("integrator", mine.Integrator, "the lab's steps, no ω × I ω", body => body));
+            rules.Add(new Difference("integrator", mine.Rule.Name, "the lab's steps, no ω × I ω", body => body));
         }
 
         if (mine.Mass.PrincipalMoments != unity.Mass.PrincipalMoments || mine.Mass.Mass != unity.Mass.Mass)
         {
-            rules.Add(new Rule("inertia", Moments(mine.Mass), Moments(unity.Mass) + Factor(mine.Mass, unity.Mass), body => body.Copy(body.Name, unity.Mass)));
+            rules.Add(new Difference("inertia", Moments(mine.Mass), Moments(unity.Mass) + Factor(mine.Mass, unity.Mass), body => body.Copy(body.Name, unity.Mass)));
         }
 
-        rules.Add(new Rule("damping", Damping(mine), $"drag {Number(to.Drag)}, angularDrag {Number(to.AngularDrag)}", body =>
+        rules.Add(new Difference("damping", Damping(mine), $"drag {Number(to.Drag)}, angularDrag {Number(to.AngularDrag)}", body =>
             Set(WithDampingOf(unity, body), settings =>
             {
                 settings.Drag = to.Drag;
                 settings.AngularDrag = to.AngularDrag;
             })));
-        rules.Add(new Rule("limit of spin", "none", $"{Number(to.MaxAngularVelocity)} rad/s", body =>
+        rules.Add(new Difference("limit of spin", "none", $"{Number(to.MaxAngularVelocity)} rad/s", body =>
             Set(body, settings => settings.MaxAngularVelocity = to.MaxAngularVelocity)));
-        rules.Add(new Rule("orientation", "q + [0, ½Δt ω] q", "the exact turn about ω", body =>
+        rules.Add(new Difference("orientation", "q + [0, ½Δt ω] q", "the exact turn about ω", body =>
             Set(body, settings => settings.FirstOrderOrientation = to.FirstOrderOrientation)));
-        rules.Add(new Rule("sleep", "never", $"below {Number(to.SleepThreshold)} J/kg, velocities of 0.2 s summed", body =>
+        rules.Add(new Difference("sleep", "never", $"below {Number(to.SleepThreshold)} J/kg, velocities of 0.2 s summed", body =>
             Set(body, settings =>
             {
                 settings.SleepThreshold = to.SleepThreshold;
@@ -66,16 +66,16 @@ internal sealed record Rule(string Name, string Mine, string Unitys, Func<BodyDe
             })));
         if (to.GyroscopicForces)
         {
-            rules.Add(new Rule("gyroscopic forces", "none", "PhysX 5's", body => Set(body, settings => settings.GyroscopicForces = true)));
+            rules.Add(new Difference("gyroscopic forces", "none", "PhysX 5's", body => Set(body, settings => settings.GyroscopicForces = true)));
         }
 
         if (Acting(mine) != Acting(unity) || !mine.Start.Equals(unity.Start))
         {
-            rules.Add(new Rule("scene", Acting(mine), Acting(unity), body => Of(unity, body.Unity)));
+            rules.Add(new Difference("scene", Acting(mine), Acting(unity), body => Of(unity, body.Unity)));
         }
 
         // last, and without any remainder: the body of the pair itself
-        rules.Add(new Rule("precision", "double", to.InDouble ? "double" : "single", body =>
+        rules.Add(new Difference("precision", "double", to.InDouble ? "double" : "single", body =>
             Set(body, settings => settings.InDouble = to.InDouble)));
         return rules;
     }

@@ -1,0 +1,95 @@
+using System.Collections.Generic;
+
+namespace RigidBodyDynamics
+{
+    /// <summary>
+    /// The rules by which a body can move. Command line, tests, tables and menus all read the list; a new rule is one struct
+    /// in a file of its own and one line here. One of your own needs no line: <see cref="Of{TIntegrator}"/>.
+    /// </summary>
+    public static class Rules
+    {
+        private const Keeps Kept = Keeps.Motion | Keeps.MomentumLength | Keeps.Momentum;
+
+        // in the order of the list, which the initialisers below fill
+        private static readonly List<Rule> List = new List<Rule>();
+
+        /// <summary>Formula 3.3 as printed.</summary>
+        public static Rule ExplicitEuler { get; } = Listed(Of<ExplicitEuler>(
+            "ExplicitEuler", 1, Keeps.AngularVelocity, Cost.LikeTheLab, "formula 3.3 as printed: x moves on with the old velocity"));
+
+        /// <summary>The lab's own.</summary>
+        public static Rule LabEuler { get; } = Listed(Of<LabEuler>(
+            "LabEuler", 1, Keeps.AngularVelocity, Cost.LikeTheLab, "the lab's five steps, in the order of its script"));
+
+        /// <summary>Unity's own body.</summary>
+        public static Rule UnityRigidbody { get; } = Listed(new UnityRule(
+            "UnityRigidbody", 1, Keeps.AngularVelocity, Cost.SeveralTimesTheLab, "DefaultRigidbody: PhysX's rule with drag, 7 rad/s and sleep"));
+
+        /// <summary>A yardstick: implicit Euler for ω.</summary>
+        public static Rule ImplicitGyroscopic { get; } = Listed(Of<GyroscopicEuler<ImplicitRule>>(
+            "ImplicitGyroscopic", 1, Keeps.Motion, Cost.SeveralTimesTheLab, "yardstick: one Newton step for the gyroscopic torque, as popular engines do"));
+
+        /// <summary>A yardstick: explicit Euler for L.</summary>
+        public static Rule ExplicitGyroscopic { get; } = Listed(Of<GyroscopicEuler<ExplicitRule>>(
+            "ExplicitGyroscopic", 1, Keeps.Motion | Keeps.MomentumLength, Cost.SeveralTimesTheLab, "yardstick: momentum back to its old length, as PhysX's switch does"));
+
+        /// <summary>Free rotation in parts.</summary>
+        public static Rule Splitting { get; } = Listed(new SplittingRule(
+            "Splitting", 2, Kept | Keeps.EnergyBounded | Keeps.WayBack, Cost.SeveralTimesTheLab, "rotations about the three axes in turn; keeps L, energy swings"));
+
+        /// <summary>For pushes that cannot be taken apart.</summary>
+        public static Rule RungeKutta4 { get; } = Listed(Of<RungeKutta4>(
+            "RungeKutta4", 4, Kept, Cost.SeveralTimesTheLab, "the classical rule, L in world axes; for pushes that cannot be taken apart"));
+
+        /// <summary>Exact free motion between half pushes.</summary>
+        public static Rule Exact { get; } = Listed(new CompositionRule<Order2>(
+            "Exact", 2, Kept | Keeps.Energy | Keeps.WayBack, Cost.LikeTheLab, "exact free motion between half pushes; exact where nothing pushes"));
+
+        /// <summary>The same, of order 4.</summary>
+        public static Rule Exact4 { get; } = Listed(new CompositionRule<Order4>(
+            "Exact4", 4, Kept | Keeps.Energy | Keeps.WayBack, Cost.SeveralTimesTheLab, "the same with seven pushes in a step, twelve where one reads a velocity"));
+
+        /// <summary>The same, of order 6.</summary>
+        public static Rule Exact6 { get; } = Listed(new CompositionRule<Order6>(
+            "Exact6", 6, Kept | Keeps.Energy | Keeps.WayBack, Cost.SeveralTimesTheLab, "the same with twelve pushes in a step, twenty where one reads a velocity"));
+
+        /// <summary>All of them, from the lab's own on.</summary>
+        public static IReadOnlyList<Rule> All => List;
+
+        /// <summary>The rule of a body that names none.</summary>
+        public static Rule Default => Exact;
+
+        /// <summary>The rule with a name, exactly as it is written in the list: for text that is read.</summary>
+        public static Rule Named(string name)
+        {
+            List<string> names = new List<string>();
+            foreach (Rule rule in All)
+            {
+                if (rule.Name == name)
+                    return rule;
+
+                names.Add(rule.Name);
+            }
+
+            throw Guard.Refused("integrator", name, "must be one of " + string.Join(", ", names));
+        }
+
+        /// <summary>A rule of your own, to be given to <see cref="BodyDescription.Rule"/>. What it says of itself is believed.</summary>
+        /// <typeparam name="TIntegrator">A struct that holds all it keeps of one body.</typeparam>
+        /// <param name="name">What messages and <c>explain</c> call it; the struct's name if absent.</param>
+        /// <param name="order">The power of the step with which its error falls, at least 1.</param>
+        /// <param name="keeps">What it keeps of a body that turns freely.</param>
+        /// <param name="cost">What a step costs.</param>
+        /// <param name="about">One line about it.</param>
+        public static Rule Of<TIntegrator>(
+            string name = null, int order = 1, Keeps keeps = Keeps.Motion, Cost cost = Cost.SeveralTimesTheLab, string about = "")
+            where TIntegrator : struct, IIntegrator =>
+            new RuleOf<TIntegrator>(name ?? typeof(TIntegrator).Name, order, keeps, cost, about);
+
+        private static Rule Listed(Rule rule)
+        {
+            List.Add(rule);
+            return rule;
+        }
+    }
+}
