@@ -56,7 +56,7 @@ public sealed class ThrustTests
     {
         // along x at a point of the y axis: it turns the body ever faster about z, and drives it along an arc
         Thrust thrust = new(new Vector3d(Newton, 0, 0), Centre + new Vector3d(0, -0.5, 0));
-        int declared = Catalogue.Find(rule).Order;
+        int declared = Rules.Named(rule).Order;
         double order = MeasuredOrder.Of(declared, steps => Run(rule, steps, thrust), Driven(0.5 * Newton / Moments.Z));
         TestContext.Out.WriteLine($"{order:f2}");
         Assert.That(order, Is.EqualTo(declared).Within(0.1)); // measured to 0.01
@@ -87,7 +87,7 @@ public sealed class ThrustTests
 
     private static BodyState Run<TPush>(string rule, int steps, TPush push) where TPush : struct, IPush
     {
-        BodyDescription body = new("body", MassProperties.FromPrincipal(Kilograms, Moments, Quaterniond.Identity, Centre)) { Integrator = rule };
+        BodyDescription body = new("body", MassProperties.FromPrincipal(Kilograms, Moments, Quaterniond.Identity, Centre)) { Rule = Rules.Named(rule) };
         body.Start = new BodyState(Vector3d.Zero, Quaterniond.Identity, Vector3d.Zero, Spin * Z);
         return Scenery.Run(TimeSteps.Every(MeasuredOrder.Time / steps, steps), body.With(push), steps);
     }

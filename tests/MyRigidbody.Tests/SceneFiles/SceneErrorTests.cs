@@ -57,7 +57,7 @@ public sealed class SceneErrorTests
     {
         string error = SceneText.Error(text);
 
-        Assert.That(error, Does.StartWith(expected.Replace("RULES", string.Join(", ", Catalogue.Rows.Select(row => row.Name)), StringComparison.Ordinal)));
+        Assert.That(error, Does.StartWith(expected.Replace("RULES", string.Join(", ", Rules.All.Select(rule => rule.Name)), StringComparison.Ordinal)));
         Assert.That(error, Does.Not.Contain("\n"));
     }
 
