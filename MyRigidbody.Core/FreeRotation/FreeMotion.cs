@@ -2,7 +2,7 @@ namespace RigidBodyDynamics
 {
     /// <summary>
     /// The motion of a body that nothing pushes, at any time in closed form, without steps: forwards, backwards, after a
-    /// thousand seconds in one call. Gravity and damping may act, as long as they act always.
+    /// thousand seconds in one call. Gravity, constant forces and damping may act, as long as they act always.
     /// </summary>
     public sealed class FreeMotion
     {
@@ -18,10 +18,10 @@ namespace RigidBodyDynamics
             for (int i = 0; i < body.Effects.Count; i++)
             {
                 Effect effect = body.Effects[i];
-                if (!(effect is CoastEffect coast) || effect.From > 0 || !double.IsPositiveInfinity(effect.To))
-                    throw Guard.Refused("effects[" + i + "]", effect.Motion, "must be gravity or a damping that acts always");
+                if (!(effect.Motion is ICoast coast) || effect.From > 0 || !double.IsPositiveInfinity(effect.To))
+                    throw Guard.Refused("effects[" + i + "]", effect.Motion, "must be gravity, a constant force or a damping that acts always");
 
-                coast.AddTo(ref _coasting);
+                coast.AddTo(ref _coasting, body.Mass);
             }
 
             if (_coasting.LinearFactorPerStep != 1 || _coasting.AngularFactorPerStep != 1)

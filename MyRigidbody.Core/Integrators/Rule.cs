@@ -77,7 +77,7 @@ namespace RigidBodyDynamics
         {
             Coasting coasting = Coasting.Free;
             foreach (Effect effect in Guard.NotNull(body, nameof(body)).Effects)
-                (effect as CoastEffect)?.AddTo(ref coasting);
+                (effect.Motion as ICoast)?.AddTo(ref coasting, body.Mass);
 
             return coasting.LinearFactorPerStep == 1 && coasting.AngularFactorPerStep == 1 ? Order : 1;
         }
@@ -99,6 +99,9 @@ namespace RigidBodyDynamics
 
         /// <summary>Why a body's rotation is simpler by this rule than that of any body; null if it is not.</summary>
         internal virtual string Simpler(BodyDescription body) => null;
+
+        /// <summary>True if a constant force is part of what a body coasts with by this rule, and no push.</summary>
+        internal virtual bool CoastsUnderForces => true;
 
         /// <summary>True if a body has a closed form by this rule while a stretch lasts.</summary>
         internal virtual bool Coasts(BodyDescription body, StretchPlan stretch) =>
@@ -148,6 +151,9 @@ namespace RigidBodyDynamics
             body.Unity.AngularDrag,
             body.Unity.MaxAngularVelocity,
             body.Unity.SleepThreshold);
+
+        // a force wakes it
+        internal override bool CoastsUnderForces => false;
 
         // it sleeps after a while, and that is not known before
         internal override bool Coasts(BodyDescription body, StretchPlan stretch) => false;

@@ -10,7 +10,7 @@ namespace RigidBodyDynamics
 
         public PushTraits Traits => PushTraits.Turns | PushTraits.ReadsAngularVelocity | PushTraits.IsDamping;
 
-        public void AddTo(ref Coasting coasting) => coasting.AngularDampingRate += _rate;
+        public void AddTo(ref Coasting coasting, MassProperties mass) => coasting.AngularDampingRate += _rate;
 
         /// <summary>In words.</summary>
         public override string ToString() => "angular damping " + _rate.ToString("R", System.Globalization.CultureInfo.InvariantCulture) + " /s";

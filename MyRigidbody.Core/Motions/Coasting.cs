@@ -12,7 +12,7 @@ namespace RigidBodyDynamics
         /// </summary>
         public const int StepsBetweenClosedForms = 128;
 
-        /// <summary>g, m/s², world axes.</summary>
+        /// <summary>g and what constant forces add to it, m/s², world axes.</summary>
         public Vector3d Acceleration;
 
         /// <summary>c, 1/s.</summary>
@@ -47,7 +47,7 @@ namespace RigidBodyDynamics
         }
 
         /// <summary>
-        /// The exact flow of the translation under gravity and damping together, and of the angular velocity under
+        /// The exact flow of the translation under gravity, constant forces and damping together, and of the angular velocity under
         /// damping alone (the turn that goes with it is the free rotation's). The factors per step are left out.
         /// </summary>
         public void Advance(double duration, ref BodyState body)

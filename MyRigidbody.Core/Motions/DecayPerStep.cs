@@ -21,7 +21,7 @@ namespace RigidBodyDynamics
         public PushTraits Traits =>
             PushTraits.Moves | PushTraits.Turns | PushTraits.ReadsVelocity | PushTraits.ReadsAngularVelocity | PushTraits.IsDamping | PushTraits.OncePerStep;
 
-        public void AddTo(ref Coasting coasting)
+        public void AddTo(ref Coasting coasting, MassProperties mass)
         {
             coasting.LinearFactorPerStep *= _linear;
             coasting.AngularFactorPerStep *= _angular;

@@ -2,8 +2,11 @@ using System.Runtime.CompilerServices;
 
 namespace RigidBodyDynamics
 {
-    /// <summary>A constant force at the centre of mass.</summary>
-    public readonly struct Force : IPush
+    /// <summary>
+    /// A constant force at the centre of mass. A body coasts with it as with gravity; by <c>UnityRigidbody</c>, whose sleep knows
+    /// forces, it is a push.
+    /// </summary>
+    public readonly struct Force : IPush, ICoast
     {
         private readonly Vector3d _force;
 
@@ -18,6 +21,8 @@ namespace RigidBodyDynamics
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
         public void Over(in Instant now, double duration, in BodyState body, MassProperties mass, ref Wrench impulse) =>
             impulse.Force += duration * _force;
+
+        public void AddTo(ref Coasting coasting, MassProperties mass) => coasting.Acceleration += _force / mass.Mass;
 
         /// <summary>In words.</summary>
         public override string ToString() => "force " + _force + " N";

@@ -10,7 +10,7 @@ namespace RigidBodyDynamics
 
         public PushTraits Traits => PushTraits.Moves | PushTraits.HasPotential | PushTraits.IsGravity;
 
-        public void AddTo(ref Coasting coasting) => coasting.Acceleration += _acceleration;
+        public void AddTo(ref Coasting coasting, MassProperties mass) => coasting.Acceleration += _acceleration;
 
         /// <summary>In words.</summary>
         public override string ToString() => "gravity " + _acceleration + " m/s²";

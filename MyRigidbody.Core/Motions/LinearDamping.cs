@@ -10,7 +10,7 @@ namespace RigidBodyDynamics
 
         public PushTraits Traits => PushTraits.Moves | PushTraits.ReadsVelocity | PushTraits.IsDamping;
 
-        public void AddTo(ref Coasting coasting) => coasting.LinearDampingRate += _rate;
+        public void AddTo(ref Coasting coasting, MassProperties mass) => coasting.LinearDampingRate += _rate;
 
         /// <summary>In words.</summary>
         public override string ToString() => "linear damping " + _rate.ToString("R", System.Globalization.CultureInfo.InvariantCulture) + " /s";

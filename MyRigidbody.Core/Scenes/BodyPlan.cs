@@ -16,7 +16,7 @@ namespace RigidBodyDynamics
         /// <summary>The translation of a body that starts at rest and never feels a force or gravity.</summary>
         Translation = 2,
 
-        /// <summary>The steps of a body on which nothing acts but gravity and damping, while nobody looks.</summary>
+        /// <summary>The steps of a body on which nothing acts but gravity, constant forces and damping, while nobody looks.</summary>
         Coasting = 4,
 
         /// <summary>All of them.</summary>

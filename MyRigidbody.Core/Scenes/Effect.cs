@@ -28,8 +28,6 @@ namespace RigidBodyDynamics
             _coast = Guard.NotNull(coast, nameof(coast));
 
         public override IEffect Motion => _coast;
-
-        public void AddTo(ref Coasting coasting) => _coast.AddTo(ref coasting);
     }
 
     /// <summary>An effect that pushes, its type forgotten.</summary>

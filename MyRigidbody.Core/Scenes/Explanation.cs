@@ -38,11 +38,8 @@ namespace RigidBodyDynamics
             if (body.CanMove)
                 parts.Add("drift");
 
-            foreach (Effect effect in Guard.NotNull(stretch, nameof(stretch)).Effects)
-            {
-                if (effect.Motion is ICoast)
-                    parts.Add(effect.Motion + (isExact && (effect.Motion.Traits & PushTraits.OncePerStep) == 0 ? " (closed form)" : string.Empty));
-            }
+            foreach (ICoast coast in Guard.NotNull(stretch, nameof(stretch)).Coasts)
+                parts.Add(coast + (isExact && (coast.Traits & PushTraits.OncePerStep) == 0 ? " (closed form)" : string.Empty));
 
             if (body.CanTurn)
                 parts.Add(_plan.Rule.Rotation(body));
@@ -106,7 +103,7 @@ namespace RigidBodyDynamics
             {
                 if (Coasts(stretch))
                 {
-                    Add("steps that nobody looks at", "nothing pushes " + Time(stretch) + ", so there is a closed form", asked, Steps);
+                    Add("steps that nobody looks at", "closed form: " + Time(stretch), asked, Steps);
                     break;
                 }
             }
@@ -123,9 +120,12 @@ namespace RigidBodyDynamics
             else if (!asked.CanMove)
                 Add("translation", "the scene says that it cannot move", null, Steps);
 
-            PushTraits acting = PushTraits.None;
+            PushTraits acting = PushTraits.None, pushing = PushTraits.None;
             foreach (Effect effect in asked.Effects)
+            {
                 acting |= effect.Motion.Traits;
+                pushing |= effect.Motion is IPush ? effect.Motion.Traits : PushTraits.None;
+            }
 
             const string None = "none in the scene";
             if ((acting & PushTraits.IsGravity) == 0 && asked.CanMove)
@@ -137,7 +137,7 @@ namespace RigidBodyDynamics
             if ((acting & PushTraits.IsDrag) == 0 && asked.CanMove)
                 Add("drag", None, Copy(asked).With(new QuadraticDrag(0.01)), Steps);
 
-            if (!_plan.IsPushed)
+            if ((pushing & (PushTraits.Moves | PushTraits.Turns)) == 0)
                 Add("forces and torques", None, Copy(asked).With(new Force(new Vector3d(1, 0, 0))).With(Torque.Constant(new Vector3d(1, 0, 0))), Steps);
         }
 

@@ -7,6 +7,7 @@ namespace RigidBodyDynamics
     {
         private readonly List<PushEffect> _pushes = new List<PushEffect>();
         private readonly List<Effect> _effects = new List<Effect>();
+        private readonly List<ICoast> _coasts = new List<ICoast>();
         private readonly Coasting _coasting = Coasting.Free;
 
         private StretchPlan(BodyDescription body, TimeSteps steps, long first, long end)
@@ -19,10 +20,16 @@ namespace RigidBodyDynamics
                     continue;
 
                 _effects.Add(effect);
-                if (effect is CoastEffect coast)
-                    coast.AddTo(ref _coasting);
-                else if (effect is PushEffect push && (push.Push.Traits & (PushTraits.Moves | PushTraits.Turns)) != 0)
+                PushEffect push = effect as PushEffect;
+                if (effect.Motion is ICoast coast && (push == null || body.Rule.CoastsUnderForces))
+                {
+                    coast.AddTo(ref _coasting, body.Mass);
+                    _coasts.Add(coast);
+                }
+                else if ((effect.Motion.Traits & (PushTraits.Moves | PushTraits.Turns)) != 0)
+                {
                     Add(push);
+                }
             }
         }
 
@@ -35,8 +42,11 @@ namespace RigidBodyDynamics
         /// <summary>What acts in it.</summary>
         public IReadOnlyList<Effect> Effects => _effects;
 
-        /// <summary>Gravity and damping, all of them in one closed form.</summary>
+        /// <summary>Gravity, constant forces and damping, all of them in one closed form.</summary>
         public Coasting Coasting => _coasting;
+
+        /// <summary>What <see cref="Coasting"/> is the sum of.</summary>
+        internal IReadOnlyList<ICoast> Coasts => _coasts;
 
         /// <summary>The others that move or turn the body.</summary>
         internal IReadOnlyList<PushEffect> Pushes => _pushes;

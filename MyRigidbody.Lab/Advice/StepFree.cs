@@ -30,7 +30,7 @@ public static class StepFree
         {
             for (int j = 0; j < scene.Bodies[i].Effects.Count; j++)
             {
-                Coasting coasting = Acts(scene.Bodies[i].Effects[j]);
+                Coasting coasting = Acts(scene.Bodies[i].Effects[j], scene.Bodies[i].Mass);
                 if (HasFactor(coasting))
                     yield return (Place(i, j), Rate(coasting.LinearFactorPerStep, scene.Steps), Rate(coasting.AngularFactorPerStep, scene.Steps));
             }
@@ -55,7 +55,7 @@ public static class StepFree
         if (effect.Motion is PerStep)
             throw Guard.Refused(place, effect.Motion, "must not be given step by step");
 
-        Coasting coasting = Acts(effect);
+        Coasting coasting = Acts(effect, body.Mass);
         if (!HasFactor(coasting))
         {
             body.With(effect);
@@ -76,10 +76,10 @@ public static class StepFree
 
     private static string Place(int body, int effect) => "bodies[" + body + "].effects[" + effect + "]";
 
-    private static Coasting Acts(Effect effect)
+    private static Coasting Acts(Effect effect, MassProperties mass)
     {
         Coasting coasting = Coasting.Free;
-        (effect.Motion as ICoast)?.AddTo(ref coasting);
+        (effect.Motion as ICoast)?.AddTo(ref coasting, mass);
         return coasting;
     }
 

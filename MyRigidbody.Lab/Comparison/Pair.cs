@@ -34,7 +34,7 @@ internal sealed record Pair(BodyDescription Mine, BodyDescription Default)
         Coasting coasting = Coasting.Free;
         foreach (Effect effect in mine.Effects.Where(Difference.IsDamping))
         {
-            ((ICoast)effect.Motion).AddTo(ref coasting);
+            ((ICoast)effect.Motion).AddTo(ref coasting, mine.Mass);
         }
 
         unity.Rule = Rules.UnityRigidbody;

@@ -55,9 +55,9 @@ internal static class Phrases
 
             // what is left out, and why
             ("^steps that nobody looks at$", "无人查看的步"),
-            (@"^nothing pushes always, so there is a closed form$", "始终没有推动，有闭式解"),
-            (@"^nothing pushes from (\S+ s), so there is a closed form$", "从 $1 起没有推动，有闭式解"),
-            (@"^nothing pushes (\S+ s) to (\S+ s), so there is a closed form$", "$1 至 $2 没有推动，有闭式解"),
+            (@"^closed form: always$", "始终有闭式解"),
+            (@"^closed form: from (\S+ s)$", "从 $1 起有闭式解"),
+            (@"^closed form: (\S+ s) to (\S+ s)$", "$1 至 $2 有闭式解"),
             ("^rotation$", "转动"),
             ("^translation$", "平动"),
             ("^it starts without spin and nothing turns it$", "初始不转，也没有力矩"),

@@ -74,7 +74,7 @@ internal sealed record Promise(double Error, double Still)
             foreach (Effect effect in scene.Bodies[i].Effects.Where(effect => effect.Motion is DecayPerStep))
             {
                 Coasting factor = Coasting.Free;
-                ((ICoast)effect.Motion).AddTo(ref factor);
+                ((ICoast)effect.Motion).AddTo(ref factor, bodies[i].Mass);
                 bodies[i].With(new LinearDamping(-Math.Log(factor.LinearFactorPerStep) / scene.Steps.Length(0)), effect.From, effect.To)
                     .With(new AngularDamping(-Math.Log(factor.AngularFactorPerStep) / scene.Steps.Length(0)), effect.From, effect.To);
             }

@@ -15,7 +15,7 @@ public sealed class StepFreeTests
         foreach (Effect effect in StepFree.Of(scene).Bodies[0].Effects)
         {
             Assert.That((effect.From, effect.To), Is.EqualTo((1.0, 2.0)));
-            ((ICoast)effect.Motion).AddTo(ref found);
+            ((ICoast)effect.Motion).AddTo(ref found, scene.Bodies[0].Mass);
         }
 
         Assert.That(found.LinearDampingRate, Is.EqualTo(-Math.Log(0.98) / 0.02).Within(1e-14)); // measured 1.3e-15
@@ -31,7 +31,7 @@ public sealed class StepFreeTests
 
         Coasting found = Coasting.Free;
         foreach (Effect effect in StepFree.Of(scene).Bodies[0].Effects)
-            ((ICoast)effect.Motion).AddTo(ref found);
+            ((ICoast)effect.Motion).AddTo(ref found, scene.Bodies[0].Mass);
 
         // e^(−y) near 1 has no more digits than 1 has
         Assert.That(found.LinearDampingRate, Is.EqualTo(-Math.Log(factor)).Within(Math.Max(2e-16, -1e-15 * Math.Log(factor)))); // measured 0, 2.0e-31

@@ -17,13 +17,13 @@ public sealed class CoastingTests
         [
             new Gravity(new Vector3d(1, 2, 3)), new Gravity(new Vector3d(10, 20, 30)),
             new LinearDamping(0.25), new LinearDamping(0.5), new AngularDamping(2), new AngularDamping(4),
-            new DecayPerStep(0.5, 0.25), new DecayPerStep(0.5, 0.5),
+            new DecayPerStep(0.5, 0.25), new DecayPerStep(0.5, 0.5), new Force(new Vector3d(200, 400, 600)),
         ];
         foreach (ICoast effect in effects)
-            effect.AddTo(ref coasting);
+            effect.AddTo(ref coasting, Solids.Sphere(2, 1));
         Assert.That(coasting, Is.EqualTo(new Coasting
         {
-            Acceleration = new Vector3d(11, 22, 33),
+            Acceleration = new Vector3d(111, 222, 333),
             LinearDampingRate = 0.75,
             AngularDampingRate = 6,
             LinearFactorPerStep = 0.25,
@@ -46,11 +46,11 @@ public sealed class CoastingTests
     public void Damping_leaves_a_part_exp_of_minus_c_h_and_the_factor_per_step_comes_once()
     {
         Coasting coasting = Coasting.Free;
-        new LinearDamping(0.3).AddTo(ref coasting);
-        new AngularDamping(2).AddTo(ref coasting);
+        new LinearDamping(0.3).AddTo(ref coasting, Solids.Sphere(2, 1));
+        new AngularDamping(2).AddTo(ref coasting, Solids.Sphere(2, 1));
         Assert.That(coasting.LinearDecay(0.5), Is.EqualTo(Math.Exp(-0.15)).Within(2e-16)); // measured 0
         Assert.That(coasting.AngularDecay(0.5), Is.EqualTo(Math.Exp(-1)).Within(1e-16)); // measured 0
-        new DecayPerStep(0.98, 0.5).AddTo(ref coasting);
+        new DecayPerStep(0.98, 0.5).AddTo(ref coasting, Solids.Sphere(2, 1));
         Assert.That(coasting.LinearDecay(0.5), Is.EqualTo(0.98 * Math.Exp(-0.15)).Within(2e-16)); // measured 0
         Assert.That(coasting.AngularDecay(0.5), Is.EqualTo(0.5 * Math.Exp(-1)).Within(1e-16)); // measured 0
     }
@@ -167,8 +167,8 @@ public sealed class CoastingTests
     {
         ExactCase exact = ExactCase.Read("fall_linear_drag");
         Coasting coasting = Coasting.Free;
-        new Gravity(new Vector3d(0, -9.81, 0)).AddTo(ref coasting);
-        new LinearDamping(0.3).AddTo(ref coasting);
+        new Gravity(new Vector3d(0, -9.81, 0)).AddTo(ref coasting, Solids.Sphere(2, 1));
+        new LinearDamping(0.3).AddTo(ref coasting, Solids.Sphere(2, 1));
         double worst = 0, speed = 0;
         foreach (ExactCase.Sample sample in exact.Samples)
         {
