@@ -21,7 +21,7 @@ namespace RigidBodyDynamics
         /// velocity gives duration × At, and so does what depends on time while <see cref="Instant.IsHeld"/>. The impulse
         /// comes in with what other pushes gave before in the same time: the body now moves as
         /// <see cref="Wrench.AppliedTo"/> says. What reads a velocity and has no exact flow may give one that comes back: for −h
-        /// what it took for h. EffectCheck, beside the command line, tries all this.
+        /// what it took for h. EffectCheck tries all this.
         /// </summary>
         void Over(in Instant now, double duration, in BodyState body, MassProperties mass, ref Wrench impulse);
     }

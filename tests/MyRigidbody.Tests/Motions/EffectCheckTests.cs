@@ -1,5 +1,4 @@
 using NUnit.Framework;
-using RigidBodyDynamics.Lab;
 
 namespace RigidBodyDynamics.Tests;
 
