@@ -17,21 +17,21 @@ internal static class Server
     public static int Run()
     {
         using BinaryReader input = new(Console.OpenStandardInput());
-        using BinaryWriter output = new(new BufferedStream(Console.OpenStandardOutput(), 1 << 16));
+        using Stream output = Console.OpenStandardOutput();
         // what scripts write goes nowhere
         Console.SetOut(TextWriter.Null);
         Console.SetIn(TextReader.Null);
         Rights.GiveUp();
         try
         {
-            output.Write(Pipe.Ready);
-            output.Flush();
+            new BinaryWriter(output).Write(Pipe.Ready);
             Coverage coverage = new(input.ReadString() is { Length: > 0 } starter ? starter : null);
             while (true)
             {
                 IReadOnlyList<ScriptFile> files = Pipe.ReadFiles(input);
                 // whoever sends waits for the answer before the next; if it goes away meanwhile, the read ends, and so does all this
-                new Thread(() => Serve(files, coverage, output), StackBytes) { IsBackground = true }.Start();
+                // each answer has a buffer of its own: the next question may be here before this thread has put its buffer away
+                new Thread(() => Serve(files, coverage, new BinaryWriter(new BufferedStream(output, 1 << 16))), StackBytes) { IsBackground = true }.Start();
             }
         }
         catch (EndOfStreamException)

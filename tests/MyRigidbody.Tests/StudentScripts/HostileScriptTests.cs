@@ -162,6 +162,17 @@ public sealed class HostileScriptTests
         Assert.That(Codes(Runner.With() + new string(' ', 1_000_000)), Is.EqualTo(new[] { "too-large" }));
 
     [Test]
+    public void Every_answer_is_about_its_own_script()
+    {
+        byte[] large = new byte[600_000], none = [];
+        for (int i = 0; i < 300; i++)
+        {
+            Assert.That(Runner.Run(($"{i}.cs", large)).Verdict.Findings.Single().Found, Is.EqualTo($"{i}.cs"));
+            Assert.That(Runner.Run(($"{i}.cs", none)).Verdict.Findings.Single().Code, Is.EqualTo("no-script"));
+        }
+    }
+
+    [Test]
     public void Bytes_that_are_no_text_are_no_script()
     {
         byte[] noise = new byte[5000];
@@ -182,7 +193,7 @@ public sealed class HostileScriptTests
         Assert.That(Directory.GetDirectories(folder.Path), Is.Empty);
     }
 
-    // timeout of GNU, as an impatient instructor's Ctrl-C, sends the signal to the child too
+    // an instructor's Ctrl-C sends the signal to the child too: to the whole group
     [TestCase("INT")]
     [TestCase("TERM")]
     [Platform("Linux")]
@@ -190,7 +201,7 @@ public sealed class HostileScriptTests
     {
         using TemporaryFolder folder = new();
         File.WriteAllText(folder.File("MyRigidbody.cs"), Runner.With());
-        ProcessStartInfo start = new("timeout", ["-s", signal, "8", "dotnet", Path.Combine(AppContext.BaseDirectory, "MyRigidbody.Lab.dll"), "check", "--watch", "MyRigidbody.cs"])
+        ProcessStartInfo start = new("setsid", ["dotnet", Path.Combine(AppContext.BaseDirectory, "MyRigidbody.Lab.dll"), "check", "--watch", "MyRigidbody.cs"])
         {
             WorkingDirectory = folder.Path,
             RedirectStandardOutput = true,
@@ -198,10 +209,13 @@ public sealed class HostileScriptTests
         };
         start.Environment["TMPDIR"] = folder.Path;
         using Process watching = Process.Start(start)!;
-        string output = watching.StandardOutput.ReadToEnd();
+        string? first = watching.StandardOutput.ReadLine();
+        string[] during = Directory.GetDirectories(folder.Path);
+        using Process kill = Process.Start("sh", ["-c", $"kill -s {signal} -- -{watching.Id}"]);
         watching.WaitForExit();
 
-        Assert.That(output, Is.Not.Empty);
+        Assert.That(first, Is.Not.Null);
+        Assert.That(during, Has.Length.EqualTo(1));
         Assert.That(Directory.GetDirectories(folder.Path), Is.Empty);
     }
 
