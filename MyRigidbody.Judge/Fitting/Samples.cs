@@ -27,7 +27,13 @@ namespace RigidBodyDynamics.Judging
         public bool Follow(Func<Observation, double> law) => Count > 0 && Share(law) > 0.9;
 
         /// <summary>One number in all frames.</summary>
-        public bool IsConstant => Follow(_ => Median);
-
+        public bool IsConstant
+        {
+            get
+            {
+                double median = Median;
+                return Follow(_ => median);
+            }
+        }
     }
 }
