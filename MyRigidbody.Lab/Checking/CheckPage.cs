@@ -33,15 +33,15 @@ internal static class CheckPage
         public IReadOnlyList<Lamp> Lamps =>
         [
             .. Verdict.FiveSteps.Select(step => new Lamp(
-                CheckWords.All[step.ToString()],
-                CheckWords.Formula(step),
-                CheckWords.All[Report.Verdict[step].ToString()],
+                CheckWords.Name(step),
+                Terminology.Formula(step),
+                CheckWords.Lamp(Report.Verdict[step]),
                 Report.Verdict[step].ToString().ToLowerInvariant(),
                 Report.Lines.TryGetValue(step, out int line) ? line.ToString(System.Globalization.CultureInfo.InvariantCulture) : string.Empty)),
         ];
 
         public IReadOnlyList<Note> Notes => [.. Report.Verdict.Findings.Select(finding => new Note(
-            CheckWords.All[finding.Step.ToString()],
+            CheckWords.Name(finding.Step),
             CheckWords.Place(finding),
             new Word(finding.English, finding.Chinese),
             CheckWords.IsMeasured(finding) ? CheckWords.All["measured"].With(finding.Expected, finding.Found) : Word.Name(string.Empty),

@@ -12,29 +12,15 @@ internal static class CheckWords
         ["formula"] = new("formula", "公式"),
         ["lamp"] = new("result", "结果"),
         ["line"] = new("line", "行"),
-        [nameof(Step.Velocity)] = new("1 velocity", "1 速度"),
-        [nameof(Step.AngularVelocity)] = new("2 angular velocity", "2 角速度"),
-        [nameof(Step.Position)] = new("3 position", "3 位置"),
-        [nameof(Step.Orientation)] = new("4 orientation", "4 朝向"),
-        [nameof(Step.Damping)] = new("5 damping", "5 衰减"),
-        [nameof(Step.Given)] = new("given code", "给定代码"),
-        [nameof(Step.Code)] = new("code", "代码"),
-        [nameof(Step.Package)] = new("package", "文件"),
-        [nameof(Step.Name)] = new("name", "名称"),
-        [nameof(Mark.Right)] = new("✔ right", "✔ 正确"),
-        [nameof(Mark.Wrong)] = new("✘ wrong", "✘ 有误"),
-        [nameof(Mark.Doubtful)] = new("? doubtful", "? 存疑"),
-        [nameof(Mark.Missing)] = new("○ missing", "○ 缺失"),
-        [nameof(Mark.Unknown)] = new("· not seen", "· 未检查"),
         ["outcome.Right"] = new("All five steps are right.", "五个步骤全部正确。"),
         ["outcome.Wrong"] = new("Not right yet.", "还有错误。"),
-        ["outcome.Doubtful"] = new("Doubtful: the instructor decides.", "存疑：由教师判断。"),
+        ["outcome.Doubtful"] = new("Doubtful: the instructor decides.", "待定：由教师决定。"),
         ["outcome.Refused"] = new("The script was not run to its end, so its steps were not judged.", "脚本没有运行到底，因此没有检查步骤。"),
         ["at"] = new("line {0}", "第 {0} 行"),
         ["since"] = new("since frame {0} of \"{1}\"", "自实验“{1}”的第 {0} 帧起"),
         ["since.frame"] = new("in frame {0}", "第 {0} 帧"),
         ["measured"] = new("expected {0}; found {1}", "应为 {0}；实际 {1}"),
-        ["doubt"] = new("an instructor decides", "由教师判断"),
+        ["doubt"] = new("an instructor decides", "由教师决定"),
         ["comments"] = new("Comments: {0} of {1} statements that were added have one.", "注释：新增的 {1} 条语句中，{0} 条有注释。"),
         ["comments.bare"] = new("Comments: {0} of {1} statements that were added have one; not so in line {2}.", "注释：新增的 {1} 条语句中，{0} 条有注释；没有注释的行：{2}。"),
         ["comments.none"] = new("Comments: nothing was added to the starter.", "注释：没有新增语句。"),
@@ -46,17 +32,17 @@ internal static class CheckWords
         ["unity"] = new("Unity", "Unity"),
     };
 
-    private static readonly IReadOnlyDictionary<Step, string> Formulas = new Dictionary<Step, string>
-    {
-        [Step.Velocity] = "v ← v + Δt F/m",
-        [Step.AngularVelocity] = "ω ← ω + Δt (R I_ref Rᵀ)⁻¹ τ",
-        [Step.Position] = "x ← x + Δt v",
-        [Step.Orientation] = "q ← q + [0, ½Δt ω] q",
-        [Step.Damping] = "v ← 0.98 v, ω ← 0.98 ω",
-    };
+    /// <summary>A part of a verdict, with its number if it is one of the sheet's steps.</summary>
+    public static Word Name(Step step) =>
+        Word.Of(Terminology.Of(step)) is var name && Verdict.FiveSteps.Contains(step) ? new Word($"{(int)step} {name.En}", $"{(int)step} {name.Zh}") : name;
 
-    /// <summary>The sheet's formula of a step.</summary>
-    public static string Formula(Step step) => Formulas[step];
+    /// <summary>A mark with a sign that shows it without colour.</summary>
+    public static Word Lamp(Mark mark)
+    {
+        Term term = Terminology.Of(mark);
+        char sign = mark switch { Mark.Right => '✔', Mark.Wrong => '✘', Mark.Doubtful => '?', Mark.Missing => '○', _ => '·' };
+        return new Word($"{sign} {term.English}", $"{sign} {term.Chinese}");
+    }
 
     /// <summary>Where a finding is seen: line, frame, experiment.</summary>
     public static Word Place(Finding finding)
@@ -65,7 +51,7 @@ internal static class CheckWords
         if (finding.Line is { } line)
             parts.Add(All["at"].With(line));
         if (finding.Since is { } frame)
-            parts.Add(string.IsNullOrEmpty(finding.Experiment) ? All["since.frame"].With(frame) : All["since"].With(frame, finding.Experiment));
+            parts.Add(string.IsNullOrEmpty(finding.Experiment) ? All["since.frame"].With(frame) : All["since"].With(frame, Word.Of(Terminology.OfExperiment(finding.Experiment))));
         if (finding.IsDoubtful)
             parts.Add(All["doubt"]);
 

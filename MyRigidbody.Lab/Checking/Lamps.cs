@@ -15,9 +15,9 @@ internal static class Lamps
         foreach (Step step in Verdict.FiveSteps)
         {
             table.AddRow(
-                Text(step.ToString()),
-                CheckWords.Formula(step),
-                Text(report.Verdict[step].ToString()),
+                CheckWords.Name(step).In(isChinese),
+                Terminology.Formula(step),
+                CheckWords.Lamp(report.Verdict[step]).In(isChinese),
                 report.Lines.TryGetValue(step, out int line) ? line.ToString(System.Globalization.CultureInfo.InvariantCulture) : string.Empty);
         }
 
@@ -40,6 +40,6 @@ internal static class Lamps
     private static string Heading(Finding finding, bool isChinese)
     {
         string place = CheckWords.Place(finding).In(isChinese);
-        return $"{CheckWords.All[finding.Step.ToString()].In(isChinese)}: {finding.Code}{(place.Length > 0 ? (isChinese ? "，" : ", ") + place : string.Empty)}";
+        return $"{CheckWords.Name(finding.Step).In(isChinese)}: {finding.Code}{(place.Length > 0 ? (isChinese ? "，" : ", ") + place : string.Empty)}";
     }
 }

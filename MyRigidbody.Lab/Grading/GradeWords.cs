@@ -1,3 +1,5 @@
+using RigidBodyDynamics.Judging;
+using RigidBodyDynamics.Lab.Grading.Marks;
 using RigidBodyDynamics.Lab.Report;
 
 namespace RigidBodyDynamics.Lab.Grading;
@@ -6,7 +8,7 @@ namespace RigidBodyDynamics.Lab.Grading;
 internal static class GradeWords
 {
     /// <summary>By name.</summary>
-    public static readonly IReadOnlyDictionary<string, Word> All = new Dictionary<string, Word>
+    public static readonly IReadOnlyDictionary<string, Word> All = WithTerms(new()
     {
         ["language"] = new("中文", "English"),
         ["theme"] = new("Light / dark", "浅色/深色"),
@@ -52,25 +54,6 @@ internal static class GradeWords
         ["points"] = new("points", "分数"),
         ["verdict"] = new("verdict", "结论"),
         ["steps.counts.not"] = new("does not count", "不计入"),
-        ["step.velocity"] = new("velocity", "速度"),
-        ["step.angularVelocity"] = new("angular velocity", "角速度"),
-        ["step.position"] = new("position", "位置"),
-        ["step.orientation"] = new("orientation", "朝向"),
-        ["step.damping"] = new("damping", "衰减"),
-        ["step.given"] = new("given code", "给定的代码"),
-        ["step.code"] = new("code", "代码"),
-        ["step.package"] = new("package", "文件"),
-        ["step.name"] = new("name", "命名"),
-        ["formula.velocity"] = Word.Name("v ← v + F/m Δt"),
-        ["formula.angularVelocity"] = Word.Name("ω ← ω + I⁻¹ τ Δt,  I = R I_ref Rᵀ"),
-        ["formula.position"] = Word.Name("x ← x + v Δt"),
-        ["formula.orientation"] = Word.Name("q ← q + [0, ½ Δt ω] q"),
-        ["formula.damping"] = Word.Name("v ← 0.98 v,  ω ← 0.98 ω"),
-        ["mark.right"] = new("right", "正确"),
-        ["mark.wrong"] = new("off", "有误"),
-        ["mark.doubtful"] = new("in doubt", "待定"),
-        ["mark.missing"] = new("not done", "未完成"),
-        ["mark.unknown"] = new("not seen", "未运行"),
         ["outcome.right"] = new("right", "正确"),
         ["outcome.wrong"] = new("something is off", "有误"),
         ["outcome.doubtful"] = new("in doubt", "待定"),
@@ -94,8 +77,8 @@ internal static class GradeWords
 
         ["how"] = new("How points are given", "评分方法"),
         ["how.steps"] = new(
-            "{0} for a step that is right or in doubt, none for one that is off, not done or not seen.",
-            "正确或待定的步骤得分（{0}），有误、未完成或未运行的步骤不得分。"),
+            "{0} for a step that is right or doubtful, none for one that is wrong, missing or not seen.",
+            "正确或待定的步骤得分（{0}），有误、未完成或未检查的步骤不得分。"),
         ["how.comments"] = new("Up to {0} are taken off for added statements without a comment, in proportion.", "所加语句没有注释的，按比例扣分，最多 {0} 分。"),
         ["how.name"] = new("{0} are taken off where the submission is not called 学号_姓名.", "没有按 学号_姓名 命名的，扣 {0} 分。"),
         ["how.given"] = new("{0} are taken off where the given code was changed.", "改动了给定代码的，扣 {0} 分。"),
@@ -117,12 +100,26 @@ internal static class GradeWords
         ["student.sum.steps"] = new("steps", "步骤"),
         ["student.sum.comments"] = new("comments", "注释"),
         ["student.sum.name"] = new("name", "命名"),
-        ["student.sum.given"] = new("given code", "给定的代码"),
+        ["student.sum.given"] = new("given code", "给定代码"),
         ["student.sum.total"] = new("total", "合计"),
         ["student.note"] = new("Note of the instructor", "教师的话"),
         ["student.doubt"] = new("Your instructor decides about what is in doubt; nothing is taken off for it.", "待定之处由教师决定，不扣分。"),
         ["student.how"] = new(
             "Each step was run by itself, frame by frame, from the values that the script had before it.",
             "每一步都从脚本自己在该步之前的数值出发，逐帧单独检验。"),
-    };
+    });
+
+    private static Dictionary<string, Word> WithTerms(Dictionary<string, Word> words)
+    {
+        foreach (Step step in Enum.GetValues<Step>())
+            words["step." + MarksFile.NameOf(step)] = Word.Of(Terminology.Of(step));
+
+        foreach (Step step in Verdict.FiveSteps)
+            words["formula." + MarksFile.NameOf(step)] = Word.Name(Terminology.Formula(step));
+
+        foreach (Mark mark in Enum.GetValues<Mark>())
+            words["mark." + MarksFile.NameOf(mark)] = Word.Of(Terminology.Of(mark));
+
+        return words;
+    }
 }

@@ -1,3 +1,5 @@
+using RigidBodyDynamics.Judging;
+
 namespace RigidBodyDynamics.Lab.Report;
 
 /// <summary>A text in the two languages of a page.</summary>
@@ -5,6 +7,9 @@ internal sealed record Word(string En, string Zh)
 {
     /// <summary>A name, which is the same in all languages.</summary>
     public static Word Name(string name) => new(name, name);
+
+    /// <summary>What the judge calls something.</summary>
+    public static Word Of(Term term) => new(term.English, term.Chinese);
 
     /// <summary>In one of them.</summary>
     public string In(bool chinese) => chinese ? Zh : En;

@@ -82,6 +82,9 @@ internal sealed class StudentPage
         ("style", PageTemplate.Resource("report.css") + PageTemplate.Resource("grade.css")),
         ("script", PageTemplate.Resource("page.js")));
 
+    /// <summary>True for what <see cref="Html"/> has written.</summary>
+    public static bool IsOne(string html) => html.Contains("<body class=\"student\">", StringComparison.Ordinal);
+
     /// <summary>Who it is, or else what the file is called.</summary>
     public static string Title(Graded graded) =>
         Visible.Line(graded.Student is { } student ? $"{student.Id} {student.Name}".Trim() : graded.Submission.Spot.Name, LongestName);
@@ -114,6 +117,6 @@ internal sealed class StudentPage
 
         public Word? Since => Finding.Since is not int frame ? null
             : string.IsNullOrEmpty(Finding.Experiment) ? GradeWords.All["student.since"].With(frame)
-            : GradeWords.All["student.experiment"].With(frame, Finding.Experiment);
+            : GradeWords.All["student.experiment"].With(frame, Word.Of(Terminology.OfExperiment(Finding.Experiment)));
     }
 }

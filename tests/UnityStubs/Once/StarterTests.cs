@@ -57,7 +57,7 @@ namespace RigidBodyDynamics.Scripts.Tests.Headless
             Gui.Click(window, window.OnGUI, "检查五个步骤 Check my five steps");
             Gui.Draw(window, window.OnGUI);
             Assert.That(Gui.Texts.Count(text => text.StartsWith("●", StringComparison.Ordinal)), Is.EqualTo(5));
-            Assert.That(Gui.Texts.Where(text => text.StartsWith("●", StringComparison.Ordinal)), Has.All.EndsWith("缺少 missing"));
+            Assert.That(Gui.Texts.Where(text => text.StartsWith("●", StringComparison.Ordinal)), Has.All.EndsWith("未完成 missing"));
             Assert.That(window.Verdict.Findings.Select(finding => finding.English).Where(help => Gui.Texts.Any(text => text.Contains(help))), Is.Empty);
         }
 

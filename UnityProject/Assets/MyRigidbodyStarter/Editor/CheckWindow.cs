@@ -1,5 +1,4 @@
 using System;
-using System.Collections.Generic;
 using System.Linq;
 using RigidBodyDynamics.Judging;
 using UnityEditor;
@@ -10,16 +9,6 @@ namespace RigidBodyDynamics.Starter
     /// <summary>Five lamps: which of the sheet's steps is off, and by how much; not how to mend it.</summary>
     public sealed class CheckWindow : EditorWindow
     {
-        private static readonly Dictionary<Step, string> Names = new Dictionary<Step, string>
-        {
-            { Step.Velocity, "1 速度 velocity" },
-            { Step.AngularVelocity, "2 角速度 angular velocity" },
-            { Step.Position, "3 位置 position" },
-            { Step.Orientation, "4 朝向 orientation" },
-            { Step.Damping, "5 衰减 damping" },
-            { Step.Given, "给定代码 the code that was given" },
-        };
-
         private MonoScript _script;
         private Verdict _verdict;
         private string _message = string.Empty, _number = string.Empty, _name = string.Empty;
@@ -97,23 +86,24 @@ namespace RigidBodyDynamics.Starter
         {
             foreach (Step step in Verdict.FiveSteps)
             {
-                Lamp(Names[step], verdict[step]);
+                Lamp(step, verdict[step]);
                 foreach (Finding finding in verdict.Findings.Where(found => found.Step == step))
                     Tell(finding);
             }
 
             foreach (Finding finding in verdict.Findings.Where(found => !Verdict.FiveSteps.Contains(found.Step)))
             {
-                Lamp(Names.TryGetValue(finding.Step, out string name) ? name : finding.Step.ToString(), finding.IsDoubtful ? Mark.Doubtful : Mark.Wrong);
+                Lamp(finding.Step, finding.IsDoubtful ? Mark.Doubtful : Mark.Wrong);
                 Tell(finding);
             }
         }
 
-        private static void Lamp(string name, Mark mark)
+        private static void Lamp(Step step, Mark mark)
         {
             Color before = GUI.color;
             GUI.color = mark == Mark.Right ? new Color(0.45f, 0.9f, 0.5f) : mark == Mark.Wrong ? new Color(1, 0.55f, 0.5f) : new Color(1, 0.85f, 0.4f);
-            GUILayout.Label("● " + name + " — " + Words(mark));
+            string number = Verdict.FiveSteps.Contains(step) ? (int)step + " " : string.Empty;
+            GUILayout.Label("● " + number + Both(Terminology.Of(step)) + " — " + Both(Terminology.Of(mark)));
             GUI.color = before;
         }
 
@@ -121,19 +111,11 @@ namespace RigidBodyDynamics.Starter
         {
             GUILayout.Label("    应为 expected: " + finding.Expected);
             GUILayout.Label("    实为 found: " + finding.Found);
+            if (finding.IsDoubtful)
+                GUILayout.Label("    由教师决定 an instructor decides");
         }
 
-        private static string Words(Mark mark)
-        {
-            switch (mark)
-            {
-                case Mark.Right: return "正确 right";
-                case Mark.Wrong: return "不对 off";
-                case Mark.Missing: return "缺少 missing";
-                case Mark.Doubtful: return "由教师判断 for the teacher to decide";
-                default: return "看不出 not seen";
-            }
-        }
+        private static string Both(Term term) => term.Chinese + " " + term.English;
 
         private void Export()
         {
