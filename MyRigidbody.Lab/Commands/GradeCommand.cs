@@ -33,9 +33,10 @@ internal static class GradeCommand
         Roster? roster = rosterFile == null ? null : Roster.Read(rosterFile);
         MarksFile marks = marksFile == null ? MarksFile.Default : MarksFile.Read(marksFile);
         string? starter = starterFile == null ? null : SourceText.Decode([.. InputFile.Bytes(starterFile)]).Text;
+        using ClassFiles files = new(output, [.. paths.Where(File.Exists).Concat(new[] { rosterFile, starterFile, marksFile }.OfType<string>())]);
         Class all = null!;
         Terminal.WithProgress("grade " + paths[0], report => all = new Grader(new ScriptBench(starter)).Judge(paths, output, roster, marks, report));
-        Grader.Write(all, output, [.. paths.Where(File.Exists).Concat(new[] { rosterFile, starterFile, marksFile }.OfType<string>())]);
+        files.Write(all);
         Print(all, output);
         return 0;
     }

@@ -1,20 +1,17 @@
 using System.Runtime.ExceptionServices;
-using RigidBodyDynamics.Lab.Grading.Export;
 using RigidBodyDynamics.Lab.Grading.Judging;
 using RigidBodyDynamics.Lab.Grading.Marks;
-using RigidBodyDynamics.Lab.Grading.Pages;
 using RigidBodyDynamics.Lab.Grading.Reading;
 using RigidBodyDynamics.Lab.Grading.Students;
-using RigidBodyDynamics.Lab.Output;
 
 namespace RigidBodyDynamics.Lab.Grading;
 
-/// <summary>Grades a class: reads what was handed in, has it judged on all cores, and writes the pages and tables.</summary>
+/// <summary>Grades a class: reads what was handed in, and has it judged on all cores.</summary>
 /// <param name="bench">Judges of the scripts, and what they depend on.</param>
 internal sealed class Grader(IBench bench)
 {
-    /// <summary>The folder with the pages of the students, and the one with what was judged already.</summary>
-    public const string StudentsFolder = "students", KeptFolder = ".grade";
+    /// <summary>The folder with what was judged already.</summary>
+    public const string KeptFolder = ".grade";
 
     /// <summary>Reads and judges.</summary>
     /// <param name="paths">Files and folders as they were typed.</param>
@@ -44,24 +41,6 @@ internal sealed class Grader(IBench bench)
         });
         string name = string.Join(", ", paths.Select(path => Path.GetFileName(Path.TrimEndingDirectorySeparator(Path.GetFullPath(path)))).Take(3)) + (paths.Count > 3 ? ", …" : string.Empty);
         return Class.Of(name, handedIn, judged, roster, marks, bench.Starter);
-    }
-
-    /// <summary>Writes all files; whole, or none of them.</summary>
-    /// <param name="all">The class.</param>
-    /// <param name="output">The folder.</param>
-    /// <param name="inputs">Files that were read, and are not written over.</param>
-    public static void Write(Class all, string output, params IReadOnlyList<string> inputs)
-    {
-        using Files files = new(output, output, inputs), students = new(Path.Combine(output, StudentsFolder), output, inputs);
-        foreach (Graded one in all.Submissions)
-            students.Write(one.Page, to => File.WriteAllText(to, StudentPage.Html(one, all.Scheme)));
-
-        files.Write("index.html", to => File.WriteAllText(to, ClassPage.Html(all)));
-        files.Write("marks.csv", to => File.WriteAllBytes(to, MarksTable.Csv(all)));
-        files.Write("marks.xlsx", to => File.WriteAllBytes(to, MarksWorkbook.Of(all)));
-        files.Write("grade.json", to => File.WriteAllText(to, GradeJson.Of(all)));
-        students.Keep();
-        files.Keep();
     }
 
     private static void OnAllCores(int cores, Action work)

@@ -9,6 +9,7 @@ internal sealed class Files : IDisposable
     private readonly string _name;
     private readonly string[] _inputs;
     private readonly List<(string Temporary, string Final)> _written = [];
+    private readonly List<string> _made = [];
     private readonly List<PosixSignalRegistration> _signals = [];
 
     /// <summary>Files for a folder, which is made if it is not there.</summary>
@@ -26,7 +27,7 @@ internal sealed class Files : IDisposable
             throw new InputException($"{name}: is a device; without --out the trajectory goes to standard output");
         }
 
-        Try(() => Directory.CreateDirectory(_folder));
+        Try(MakeFolder);
         // a file that is half written goes with the process that wrote it
         foreach (PosixSignal signal in new[] { PosixSignal.SIGINT, PosixSignal.SIGTERM, PosixSignal.SIGHUP })
         {
@@ -39,8 +40,8 @@ internal sealed class Files : IDisposable
     /// <summary>Writes one file, by a function that is given the path to write to.</summary>
     public void Write(string fileName, Action<string> write)
     {
+        MustBeFree(fileName);
         string final = Path.Combine(_folder, fileName);
-        Try(() => MustBeFree(fileName, final));
         string temporary = Path.Combine(_folder, "." + Guid.NewGuid().ToString("N") + Path.GetExtension(fileName));
         _written.Add((temporary, final));
         Try(() => write(temporary));
@@ -51,13 +52,25 @@ internal sealed class Files : IDisposable
     {
         Try(() => _written.ForEach(file => File.Move(file.Temporary, file.Final, overwrite: true)));
         _written.Clear();
+        _made.Clear();
     }
 
-    /// <summary>Takes away what was not kept.</summary>
+    /// <summary>Throws where a file of this name may not be written.</summary>
+    public void MustBeFree(string fileName) => Try(() => MustBeFree(fileName, Path.Combine(_folder, fileName)));
+
+    /// <summary>Takes away what was not kept, and the folders that were made for it.</summary>
     public void Dispose()
     {
         _signals.ForEach(signal => signal.Dispose());
         TakeAway();
+    }
+
+    private void MakeFolder()
+    {
+        for (string? missing = _folder; missing != null && !Directory.Exists(missing); missing = Path.GetDirectoryName(missing))
+            _made.Add(missing);
+
+        Directory.CreateDirectory(_folder);
     }
 
     /// <summary>Nothing but a file that is not an input may stand where a file is to be written.</summary>
@@ -88,6 +101,11 @@ internal sealed class Files : IDisposable
             foreach ((string temporary, string _) in _written)
             {
                 File.Delete(temporary);
+            }
+
+            foreach (string folder in _made.Where(folder => Directory.Exists(folder) && !Directory.EnumerateFileSystemEntries(folder).Any()))
+            {
+                Directory.Delete(folder);
             }
         }
         catch (Exception left) when (left is IOException or UnauthorizedAccessException)

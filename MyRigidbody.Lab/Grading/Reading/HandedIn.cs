@@ -24,24 +24,20 @@ internal sealed record HandedIn(IReadOnlyList<Piece> Pieces, IReadOnlyList<(stri
         return new HandedIn([.. walk.Pieces.OrderBy(piece => piece.Spot.Shown, StringComparer.Ordinal)], walk.Notes);
     }
 
-    /// <summary>How each path is shown: as it was typed, without folders of the machine, and never two alike.</summary>
+    /// <summary>How each path is shown: by its last names, as many as tell it from the others, however it was typed.</summary>
     private static List<Spot> Roots(IReadOnlyList<string> paths)
     {
-        List<Spot> roots = [.. paths.Select(Root)];
-        return [.. roots.Zip(paths, (root, path) => roots.Count(other => other.Shown == root.Shown) == 1 ? root : root with { Shown = Slashes(path) })];
-    }
+        string[][] full = [.. paths.Select(path => Path.GetFullPath(path).Split([Path.DirectorySeparatorChar, Path.AltDirectorySeparatorChar], StringSplitOptions.RemoveEmptyEntries))];
+        return [.. full.Zip(paths, (names, path) =>
+        {
+            // who hands over single files names the student by the folder of each
+            int own = File.Exists(path) ? 2 : 1, shown = own;
+            while (shown < names.Length && full.Any(other => !other.SequenceEqual(names) && other.TakeLast(shown).SequenceEqual(names.TakeLast(shown))))
+                shown++;
 
-    private static Spot Root(string path)
-    {
-        string full = Path.TrimEndingDirectorySeparator(Path.GetFullPath(path));
-        string name = Path.GetFileName(full), parent = Path.GetFileName(Path.GetDirectoryName(full) ?? string.Empty);
-        // who hands over single files names the student by the folder of each
-        string[] names = File.Exists(path) && parent.Length > 0 ? [parent, name] : [name];
-        string typed = Path.IsPathRooted(path) ? string.Join('/', names) : string.Join('/', Slashes(path).Split('/').Where(part => part.Length > 0 && part != "."));
-        return new Spot(typed, names);
+            return new Spot(string.Join('/', names.TakeLast(shown)), [.. names.TakeLast(own)]);
+        })];
     }
-
-    private static string Slashes(string path) => Path.DirectorySeparatorChar == '\\' ? path.Replace('\\', '/') : path;
 
     private sealed class Walk(string own)
     {

@@ -9,6 +9,9 @@ internal static class Problems
     public static Finding Truncated() => Of(
         "truncated", "The file is cut off and cannot be read to its end: please hand it in again.", "文件不完整（压缩流被截断），无法读到末尾，请重新提交。");
 
+    public static Finding Checksum() => Of(
+        "checksum", "The file is damaged at its end or inside: its checksum does not fit. What could be read was judged; please hand it in again.", "文件有损坏，校验值不符。已按能读出的内容评阅，请重新提交。");
+
     public static Finding Damaged(string reason) => Of(
         "damaged", "The file cannot be read as what its name says: please hand it in again.", "文件无法按其扩展名读取，请重新提交。", reason.ReplaceLineEndings(" "));
 

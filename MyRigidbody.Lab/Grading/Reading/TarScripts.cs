@@ -45,7 +45,7 @@ internal static class TarScripts
     private static Dictionary<string, string> Paths(byte[] bytes, List<Finding> notes)
     {
         Dictionary<string, string> unity = [], plain = [];
-        foreach (TarEntry entry in Entries(bytes))
+        foreach (TarEntry entry in Entries(bytes, notes))
         {
             string name = Clean(entry.Name);
             if (entry.EntryType is TarEntryType.SymbolicLink or TarEntryType.HardLink)
@@ -74,7 +74,7 @@ internal static class TarScripts
     private static List<Script> Scripts(Spot spot, byte[] bytes, Dictionary<string, string> paths, List<Finding> notes)
     {
         List<Script> scripts = [];
-        foreach (TarEntry entry in Entries(bytes))
+        foreach (TarEntry entry in Entries(bytes, []))
         {
             if (!IsFile(entry) || !paths.TryGetValue(Clean(entry.Name), out string? path) || !FileKinds.IsScript(path))
                 continue;
@@ -97,7 +97,8 @@ internal static class TarScripts
         return scripts;
     }
 
-    private static IEnumerable<TarEntry> Entries(byte[] bytes)
+    /// <summary>All entries; with a note where what follows the last one is not as it should be.</summary>
+    private static IEnumerable<TarEntry> Entries(byte[] bytes, List<Finding> notes)
     {
         using Stream unpacked = new CountedStream(
             FileKinds.Of(bytes) == FileKind.Gzip ? new GZipStream(new MemoryStream(bytes), CompressionMode.Decompress) : new MemoryStream(bytes), Limits.Unpacked);
@@ -108,6 +109,23 @@ internal static class TarScripts
                 throw new TooManyException();
 
             yield return entry;
+        }
+
+        // the checksum of a gzip stands behind the tar
+        if (!IsReadToItsEnd(unpacked))
+            notes.Add(Problems.Checksum());
+    }
+
+    private static bool IsReadToItsEnd(Stream stream)
+    {
+        try
+        {
+            stream.CopyTo(Stream.Null);
+            return true;
+        }
+        catch (InvalidDataException)
+        {
+            return false;
         }
     }
 
@@ -123,7 +141,7 @@ internal static class TarScripts
         }
         catch (InvalidDataException broken)
         {
-            return broken.Message.Contains("end", StringComparison.OrdinalIgnoreCase);
+            return broken.Message.Contains("truncated", StringComparison.OrdinalIgnoreCase);
         }
         catch (TooLargeException)
         {

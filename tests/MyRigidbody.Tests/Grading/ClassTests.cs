@@ -25,16 +25,6 @@ public sealed class ClassTests
     public void Remove() => _folder.Dispose();
 
     [Test]
-    public void Other_scripts_of_a_package_are_compiled_along_only_where_they_are_used()
-    {
-        Script Of(string path, string text) => new(new Spot("p!" + path, ["p", .. path.Split('/')]), Archives.Bytes(text));
-        Script main = Of("Assets/MyRigidbody.cs", "class MyRigidbody : MonoBehaviour { Vector3 v = MyMath.Zero(); }"), math = Of("Assets/MyMath.cs", "static class MyMath { static Other o; }");
-        Script other = Of("Assets/Other.cs", "class Other { }"), sample = Of("Assets/Sample.cs", "class Sample { }"), editor = Of("Assets/Editor/MyMath.cs", "class MyMath { }");
-
-        Assert.That(Lab.Grading.Judging.Companions.With(main, [sample, other, editor, math]), Is.EqualTo(new[] { main, math, other }));
-    }
-
-    [Test]
     public void Two_scripts_in_a_package_are_in_doubt_until_one_is_chosen()
     {
         Put("class/210840007_学生一.unitypackage", Archives.Package(
@@ -186,16 +176,57 @@ public sealed class ClassTests
         for (int i = 0; i < 12; i++)
             PutScript($"21084{i:0000}_学生", i % 3 == 0 ? "// wrong: orientation half-missing" : i % 3 == 1 ? "// doubtful: damping rate" : "");
 
-        Grader.Write(Grade(new StandInBench()), Output);
+        Write();
         Dictionary<string, byte[]> first = Written();
         Directory.Delete(Output, recursive: true);
-        Grader.Write(Grade(new StandInBench()), Output);
+        Write();
         Dictionary<string, byte[]> second = Written();
 
         Assert.That(second.Keys, Is.EquivalentTo(first.Keys));
         Assert.That(first.Keys, Is.SupersetOf(new[] { "index.html", "marks.csv", "marks.xlsx", "grade.json", Path.Combine("students", "210840000_学生.html") }));
         foreach ((string file, byte[] bytes) in first)
             Assert.That(second[file], Is.EqualTo(bytes), file);
+    }
+
+    [Test]
+    public void Page_of_a_student_who_is_no_longer_in_the_class_goes_and_other_files_stay()
+    {
+        PutScript("210840007_学生一");
+        PutScript("210840014_学生二");
+        Write();
+        File.WriteAllText(_folder.File("out/students/notes.html"), "<p>my own</p>");
+        Directory.Delete(_folder.File("class/210840014_学生二"), recursive: true);
+        Write();
+
+        Assert.That(Directory.GetFiles(_folder.File("out/students")).Select(Path.GetFileName), Is.EquivalentTo(new[] { "210840007_学生一.html", "notes.html" }));
+    }
+
+    [Test]
+    public void Submissions_are_called_alike_however_the_path_was_typed()
+    {
+        PutScript("210840007_学生一");
+        string full = _folder.File("class"), here = Path.GetRelativePath(Environment.CurrentDirectory, full);
+        string[] typed = [full, full + "/", here, here + "/", Path.Combine(full, "..", "class"), "./" + here];
+
+        Assert.That(typed.Select(path => HandedIn.Read([path], Output).Pieces.Single().Spot.Shown), Is.All.EqualTo("class/210840007_学生一/MyRigidbody.cs"));
+    }
+
+    [Test]
+    public void Two_folders_of_one_name_are_told_apart_by_the_folders_around_them()
+    {
+        Put("a/class/210840007_学生一.cs", Archives.Bytes(Archives.Source));
+        Put("b/class/210840007_学生一.cs", Archives.Bytes(Archives.Source));
+
+        Assert.That(HandedIn.Read([_folder.File("a/class"), _folder.File("b/class/")], Output).Pieces.Select(piece => piece.Spot.Shown), Is.EqualTo(new[]
+        {
+            "a/class/210840007_学生一.cs", "b/class/210840007_学生一.cs",
+        }));
+    }
+
+    private void Write()
+    {
+        using ClassFiles files = new(Output, []);
+        files.Write(Grade(new StandInBench()));
     }
 
     private Dictionary<string, byte[]> Written() => Directory.EnumerateFiles(Output, "*", SearchOption.AllDirectories)

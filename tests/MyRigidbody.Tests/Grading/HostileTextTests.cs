@@ -100,7 +100,8 @@ public sealed class HostileTextTests
 
         File.WriteAllText(folder.File("marks.json"), $"{{ \"schema\": \"{MarksFile.Schema}\", \"decisions\": [{string.Join(',', lines)}] }}");
         Class all = new Grader(new StandInBench()).Judge([folder.File("class")], folder.File("out"), null, MarksFile.Read(folder.File("marks.json")), _ => { });
-        Grader.Write(all, folder.File("out"));
+        using ClassFiles files = new(folder.File("out"), []);
+        files.Write(all);
         return all;
     }
 }
