@@ -22,7 +22,7 @@ internal static class ScriptCompiler
 
     public static CompiledScript Compile(Sources sources)
     {
-        CSharpCompilation compilation = WithoutVainUsings(Create(sources.WithWhatTheyName()));
+        CSharpCompilation compilation = WithoutVainUsings(Create(sources.Trees));
         List<Finding> notes = [.. compilation.SyntaxTrees.SelectMany(HiddenCode.Of)];
         if (sources.Script!.Identifier.ValueText is var name && name != Sources.ClassName)
             notes.Add(Words.ClassName(name).At(LineOf(sources.Script.Identifier.GetLocation())));

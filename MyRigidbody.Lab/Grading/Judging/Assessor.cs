@@ -25,7 +25,7 @@ internal sealed class Assessor(IScriptJudge judge, Kept kept)
         Script[] named = [.. scripts.Where(Grouping.IsMain)];
         // where none is called so, whoever judges says what is missing of the likeliest
         Script[] mains = [.. (named.Length > 0 ? named : [scripts.FirstOrDefault(IsOfUnity) ?? scripts[0]]).DistinctBy(script => SourceText.Decode(script.Bytes).Text.ReplaceLineEndings("\n").Trim())];
-        Judgement[] judged = [.. mains.Select(main => Judged(Companions.With(main, submission.Scripts.Except(mains))))];
+        Judgement[] judged = [.. mains.Select(main => Judged([main, .. submission.Scripts.Except(mains).Where(script => !IsOfEditor(script))]))];
         return judged.Length == 1 ? judged[0] : Judgement.Between(judged);
     }
 
@@ -39,6 +39,9 @@ internal sealed class Assessor(IScriptJudge judge, Kept kept)
         kept.Keep(key, judgement);
         return judgement;
     }
+
+    // Unity does not compile them together with the others
+    private static bool IsOfEditor(Script script) => script.Spot.Names.SkipLast(1).Contains("Editor");
 
     private static bool IsOfUnity(Script script) => SourceText.Decode(script.Bytes).Text.Contains("MonoBehaviour", StringComparison.Ordinal);
 

@@ -50,10 +50,21 @@ public sealed class ScriptTests
     public void What_the_script_names_in_other_files_is_compiled_along_and_nothing_else()
     {
         ScriptReport report = Runner.Run(
-            ("Assets/Other.cs", Encoding.UTF8.GetBytes("class Broken : NoSuchThing { void Update() { System.IO.File.Delete(\"x\"); } }")),
-            ("Assets/Helper.cs", Encoding.UTF8.GetBytes("public static class Helper { public static float Same(float x) => x; }")),
-            ("Assets/MyRigidbody.cs", Encoding.UTF8.GetBytes(Runner.With(update: "v.x = Helper.Same(v.x);"))));
+            Of("Assets/Other.cs", "class Broken : NoSuchThing { void Update() { System.IO.File.Delete(\"x\"); } }"),
+            Of("Assets/Large.cs", "class Large { string s = \"" + new string('x', 600_000) + "\"; }"),
+            Of("Assets/Helper.cs", "public static class Helper { public static float Same(float x) => Twice.Half(x) * 2; }"),
+            Of("Assets/Twice.cs", "public static class Twice { public static float Half(float x) => x / 2; }"),
+            Of("Assets/Extensions.cs", "public static class More { public static float Also(this float x) => x; }"),
+            Of("Assets/Delegates.cs", "public delegate float Change(float x);"),
+            Of("Assets/MyRigidbody.cs", Runner.With(update: "Change change = x => Helper.Same(x).Also(); v.x = change(v.x);")));
         Assert.That((report.Verdict.Outcome, report.File), Is.EqualTo((Outcome.Right, "Assets/MyRigidbody.cs")));
+    }
+
+    [Test]
+    public void Any_number_of_files_may_lie_beside_a_script_that_needs_none_of_them()
+    {
+        IEnumerable<(string, byte[])> samples = Enumerable.Range(0, 100).Select(i => Of($"Assets/Sample{i}.cs", $"class Sample{i} {{ }}"));
+        Assert.That(Runner.Run([Of("Assets/MyRigidbody.cs", Runner.With()), .. samples]).Verdict.Outcome, Is.EqualTo(Outcome.Right));
     }
 
     [Test]
@@ -115,4 +126,6 @@ public sealed class ScriptTests
         Verdict first = Runner.Run(script).Verdict, second = Runner.Run(script).Verdict;
         Assert.That(second.Findings.Select(finding => finding.English + finding.Found), Is.EqualTo(first.Findings.Select(finding => finding.English + finding.Found)));
     }
+
+    private static (string Name, byte[] Bytes) Of(string name, string text) => (name, Encoding.UTF8.GetBytes(text));
 }
