@@ -16,7 +16,7 @@ namespace RigidBodyDynamics.Engine
         private UnityRigidbody<ToSingle> _rule;
         private bool _hasBegun, _isChanged = true;
         private double _wakeCounter = Awake;
-        private Vector3 _force, _torque, _seenPosition;
+        private Vector3 _force, _torque, _impulse, _seenPosition;
         private Quaternion _seenRotation;
 
         public Vector3 Position { get; private set; }
@@ -35,8 +35,12 @@ namespace RigidBodyDynamics.Engine
         /// <summary>The pose it has as long as nothing has set one.</summary>
         public void Begin(Vector3 position, Quaternion rotation)
         {
-            if (!_hasBegun)
-                MoveTo(position, rotation);
+            if (_hasBegun)
+                return;
+
+            MoveTo(position, rotation);
+            _seenPosition = position;
+            _seenRotation = rotation;
         }
 
         /// <summary>Takes over the pose of the object if a script has changed it.</summary>
@@ -70,6 +74,9 @@ namespace RigidBodyDynamics.Engine
             _torque += torque;
         }
 
+        /// <summary>Adds an impulse, N s, which the next step gives to the body, however long it is.</summary>
+        public void Kick(Vector3 impulse) => _impulse += impulse;
+
         public void WakeUp()
         {
             IsAsleep = false;
@@ -79,7 +86,7 @@ namespace RigidBodyDynamics.Engine
 
         public void Sleep()
         {
-            Velocity = AngularVelocity = _force = _torque = Vector3.zero;
+            Velocity = AngularVelocity = _force = _torque = _impulse = Vector3.zero;
             IsAsleep = true;
             _wakeCounter = 0;
             _isChanged = true;
@@ -97,12 +104,12 @@ namespace RigidBodyDynamics.Engine
 
             Coasting coasting = Coasting.Free;
             coasting.Acceleration = gravity.Exact();
-            _hand.Force = _force.Exact();
+            _hand.Force = (_force + _impulse * (1 / step)).Exact();
             _hand.Torque = _torque.Exact();
             HeldBy push = new HeldBy(_hand);
             _rule.Prepare(step, coasting);
             _rule.Step(default(Instant), ref push);
-            _force = _torque = Vector3.zero;
+            _force = _torque = _impulse = Vector3.zero;
 
             BodyState now = _rule.State;
             Position = now.Position.Rounded();

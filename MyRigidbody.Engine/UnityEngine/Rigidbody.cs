@@ -79,7 +79,14 @@ namespace UnityEngine
 
         public void AddForce(Vector3 force) => _body.Push(force, Vector3.zero);
 
-        public void AddForce(Vector3 force, ForceMode mode) => AddForce(force * Weight(mode, mass));
+        public void AddForce(Vector3 force, ForceMode mode)
+        {
+            Vector3 weighed = mode == ForceMode.Acceleration || mode == ForceMode.VelocityChange ? mass * force : force;
+            if (mode == ForceMode.Impulse || mode == ForceMode.VelocityChange)
+                _body.Kick(weighed);
+            else
+                _body.Push(weighed, Vector3.zero);
+        }
 
         public void AddTorque(Vector3 torque) => _body.Push(Vector3.zero, torque);
 
@@ -149,11 +156,6 @@ namespace UnityEngine
             BoxCollider box = GetComponent<BoxCollider>();
             return box == null ? Vector3.zero : Vector3.Scale(box.center, transform.lossyScale);
         }
-
-        // as a force that acts during one step
-        private static float Weight(ForceMode mode, float mass) =>
-            (mode == ForceMode.Impulse || mode == ForceMode.VelocityChange ? 1 / Time.fixedDeltaTime : 1)
-            * (mode == ForceMode.Acceleration || mode == ForceMode.VelocityChange ? mass : 1);
 
         private void Set<T>(ref T field, T value)
         {
