@@ -1,7 +1,5 @@
 using System;
-using System.IO;
 using System.Linq;
-using NUnit.Framework;
 using RigidBodyDynamics.Engine;
 using UnityEngine;
 using UnityEngine.SceneManagement;
@@ -21,12 +19,9 @@ namespace RigidBodyDynamics.Scripts.Tests.Headless
             return new GameObject("Experiment").AddComponent<Panel>().GetComponent<Experiment>();
         }
 
-        /// <summary>Loads a scene of the project; the test is ignored only while there is no such file.</summary>
+        /// <summary>Loads a scene of the project.</summary>
         public static Experiment Load(string scene)
         {
-            if (!File.Exists(SceneLoader.InProject("Assets/MyRigidbody/Scenes/" + scene + ".unity")))
-                Assert.Ignore(scene + ".unity does not exist yet");
-
             SceneManager.LoadScene(scene);
             World.LoadIfDue();
             return SceneManager.GetActiveScene().GetRootGameObjects().Select(root => root.GetComponent<Experiment>()).Single(found => found != null);
