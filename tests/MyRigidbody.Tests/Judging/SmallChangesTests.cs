@@ -15,7 +15,9 @@ internal sealed class SmallChangesTests
     private static readonly bool All = Environment.GetEnvironmentVariable("MYRIGIDBODY_ALL_CHANGES") == "1";
 
     [TestCase("210840007_学生一")]
+    [TestCase("210840014_学生二")]
     [TestCase("210840035_学生五")]
+    [TestCase("210840056_学生八")]
     [TestCase("210840070_学生一〇")]
     public void A_small_change_is_found_if_and_only_if_it_makes_a_difference(string student)
     {
