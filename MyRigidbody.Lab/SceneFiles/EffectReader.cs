@@ -1,26 +1,55 @@
 namespace RigidBodyDynamics.Lab;
 
-/// <summary>Reads an effect of a body. A new effect is one line in the table and, if it is an object, one function.</summary>
+/// <summary>Reads an effect of a body. A new effect is one line in the table, which says its form, and the schema is made of it.</summary>
 internal static class EffectReader
 {
-    private static readonly Dictionary<string, Func<Place, Func<Window, BodyDescription>>> Effects = new()
+    private const string PerStep = "perStep";
+
+    private static readonly Dictionary<string, Func<Form, Func<Window, BodyDescription>>> Effects = new()
     {
-        ["gravity"] = place => Coast(new Gravity(place.Vector())),
-        ["linearDamping"] = place => Coast(new LinearDamping(place.Number())),
-        ["angularDamping"] = place => Coast(new AngularDamping(place.Number())),
-        ["decayPerStep"] = place => Coast(DecayPerStep(place)),
-        ["force"] = place => Push(new Force(place.Vector())),
-        ["torque"] = place => Push(Torque(place.Fields())),
-        ["key"] = place => Push(new Key((LabKey)place.OneOf(Enum.GetNames<LabKey>()))),
-        ["quadraticDrag"] = place => Push(new QuadraticDrag(place.Number())),
-        ["thrust"] = place => Push(Thrust(place.Fields())),
-        ["spring"] = place => Push(Spring(place.Fields())),
-        ["heavyTop"] = place => Push(HeavyTop(place.Fields())),
-        ["perStep"] = place => Push(PerStep(place.Fields())),
+        ["gravity"] = Coast(form => new Gravity(form.Vector("Acceleration, m/s^2"))),
+        ["force"] = Push(form => new Force(form.Vector("N, world axes, at the centre of mass"))),
+        ["torque"] = Push(form => form.Object("N m: constant + sin * sin(rate t) + cos * cos(rate t)", of => new Torque(
+            inBody: of.Or("frame", 0, axes => axes.OneOf("Axes of the torque; world if absent", "world", "body")) == 1,
+            constant: of.Or("constant", Vector3d.Zero, torque => torque.Vector("N m")),
+            sine: of.Or("sin", Vector3d.Zero, torque => torque.Vector("N m")),
+            cosine: of.Or("cos", Vector3d.Zero, torque => torque.Vector("N m")),
+            rate: of.Or("rate", 1, rate => rate.Number("rad/s, 1 if absent"))))),
+        ["key"] = Push(form => new Key((LabKey)form.OneOf(
+            "A key of the lab: 5 N along -x, +x, +y, -y; torque (sin t, sin t, sin t)", Enum.GetNames<LabKey>()))),
+        ["linearDamping"] = Coast(form => new LinearDamping(form.Number("Rate, 1/s: the velocity falls by exp(-c dt)", 0))),
+        ["angularDamping"] = Coast(form => new AngularDamping(form.Number("Rate, 1/s: the angular velocity falls by exp(-c dt)", 0))),
+        ["quadraticDrag"] = Push(form => new QuadraticDrag(form.Number("k, kg/m: force -k |v| v", 0))),
+        ["decayPerStep"] = Coast(form => form.NumberOrObject(
+            "The lab's factor on the velocities, once a step",
+            both => Same(both.Number(string.Empty, 0, 1)),
+            of => new DecayPerStep(
+                of.Or("linear", 1, factor => factor.Number("On the velocity, 1 if absent", 0, 1)),
+                of.Or("angular", 1, factor => factor.Number("On the angular velocity, 1 if absent", 0, 1))))),
+        ["thrust"] = Push(form => form.Object("A force fixed in the body", of => new Thrust(
+            of["force"].Vector("N, body axes"),
+            of.Or("point", Vector3d.Zero, point => point.Vector("Where it acts, body frame, m; the origin if absent"))))),
+        ["spring"] = Push(form => form.Object("From a point of the body to a point of the world", of => new Spring(
+            of.Or("anchor", Vector3d.Zero, anchor => anchor.Vector("Body frame, m; the origin if absent")),
+            of["at"].Vector("World, m"),
+            of["stiffness"].Number("N/m", 0)))),
+        ["heavyTop"] = Push(form => form.Object("Gravity's torque about a pivot: -moment (axis x up)", of => new HeavyTop(
+            of["axis"].Vector("From the pivot to the centre of mass, body axes; its direction counts"),
+            of["moment"].Number("m g l, N m"),
+            of["up"].Vector("World axes; its direction counts")))),
+        [PerStep] = Push(form => form.Object("One value a step, world axes", of => new PerStep(
+            of.Or("force", [], force => force.Vectors("N")),
+            of.Or("torque", [], torque => torque.Vectors("N m"))))),
     };
 
     /// <summary>Names of all effects.</summary>
     public static IEnumerable<string> Names => Effects.Keys;
+
+    /// <summary>True for an effect that may act for a part of the time; one that says what acts in every step may not.</summary>
+    public static bool HasWindow(string name) => name != PerStep;
+
+    /// <summary>Puts an effect's form through its reader.</summary>
+    public static void Fill(string name, Form form) => Effects[name](form);
 
     /// <summary>Adds the effect to the body.</summary>
     public static void Read(Place place, BodyDescription body)
@@ -34,85 +63,34 @@ internal static class EffectReader
         }
 
         (string name, Place effect) = effects[0];
-        if (!Effects.TryGetValue(name, out Func<Place, Func<Window, BodyDescription>>? read))
+        if (!Effects.TryGetValue(name, out Func<Form, Func<Window, BodyDescription>>? read))
         {
             throw effect.Wrong("is not an effect; effects are " + string.Join(", ", Names));
         }
 
-        if (name == "perStep" && (from ?? to) is Place window)
+        if (!HasWindow(name) && (from ?? to) is Place window)
         {
             throw window.Wrong("must not stand beside perStep, which says for every step what acts");
         }
 
-        Func<Window, BodyDescription> add = effect.Make(() => read(effect));
+        Func<Window, BodyDescription> add = effect.Make(() => read(new FilledForm(effect)));
         place.Make(() => add(new Window(body, from?.Number() ?? 0, to?.Number() ?? double.PositiveInfinity)));
     }
 
-    internal static Func<Window, BodyDescription> Push<TPush>(TPush push) where TPush : struct, IPush =>
-        window => window.Body.With(push, window.From, window.To);
-
-    private static Func<Window, BodyDescription> Coast(ICoast coast) =>
-        window => window.Body.With(coast, window.From, window.To);
-
-    private static DecayPerStep DecayPerStep(Place place)
+    /// <summary>How the table reads an effect that pushes.</summary>
+    internal static Func<Form, Func<Window, BodyDescription>> Push<TPush>(Func<Form, TPush> read) where TPush : struct, IPush => form =>
     {
-        if (place.Value.ValueKind == System.Text.Json.JsonValueKind.Number)
-        {
-            return new DecayPerStep(place.Number(), place.Number());
-        }
+        TPush push = read(form);
+        return window => window.Body.With(push, window.From, window.To);
+    };
 
-        if (place.Value.ValueKind != System.Text.Json.JsonValueKind.Object)
-        {
-            throw place.Not("a number or an object { \"linear\": …, \"angular\": … }");
-        }
-
-        Fields fields = place.Fields();
-        double linear = fields.Or("linear", 1, factor => factor.Number()), angular = fields.Or("angular", 1, factor => factor.Number());
-        fields.End();
-        return new DecayPerStep(linear, angular);
-    }
-
-    private static Torque Torque(Fields fields)
+    private static Func<Form, Func<Window, BodyDescription>> Coast(Func<Form, ICoast> read) => form =>
     {
-        bool inBody = fields.Or("frame", 0, place => place.OneOf("world", "body")) == 1;
-        Torque torque = new(Vector("constant"), Vector("sin"), Vector("cos"), fields.Or("rate", 1, place => place.Number()), inBody);
-        fields.End();
-        return torque;
+        ICoast coast = read(form);
+        return window => window.Body.With(coast, window.From, window.To);
+    };
 
-        Vector3d Vector(string name) => fields.Or(name, Vector3d.Zero, place => place.Vector());
-    }
-
-    private static Thrust Thrust(Fields fields)
-    {
-        Vector3d force = fields.Required("force").Vector(), point = fields.Or("point", Vector3d.Zero, place => place.Vector());
-        fields.End();
-        return new Thrust(force, point);
-    }
-
-    private static Spring Spring(Fields fields)
-    {
-        Vector3d anchor = fields.Or("anchor", Vector3d.Zero, place => place.Vector()), at = fields.Required("at").Vector();
-        double stiffness = fields.Required("stiffness").Number();
-        fields.End();
-        return new Spring(anchor, at, stiffness);
-    }
-
-    private static HeavyTop HeavyTop(Fields fields)
-    {
-        Vector3d axis = fields.Required("axis").Vector(), up = fields.Required("up").Vector();
-        double moment = fields.Required("moment").Number();
-        fields.End();
-        return new HeavyTop(axis, moment, up);
-    }
-
-    private static PerStep PerStep(Fields fields)
-    {
-        PerStep perStep = new(List("force"), List("torque"));
-        fields.End();
-        return perStep;
-
-        Vector3d[] List(string name) => fields.Optional(name)?.Items("a list of vectors", place => place.Vector()) ?? [];
-    }
+    private static DecayPerStep Same(double factor) => new(factor, factor);
 
     /// <summary>To which body an effect is added, and when it acts.</summary>
     internal readonly record struct Window(BodyDescription Body, double From, double To);

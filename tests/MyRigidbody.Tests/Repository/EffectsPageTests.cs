@@ -11,10 +11,13 @@ public sealed class EffectsPageTests
     private const string Page = "docs/effects.md", Own = "tests/MyRigidbody.Tests/Repository/EffectsPageTests.cs";
     private static readonly Wind Blowing = new(0.2, new Vector3d(6, 0, 0), new Vector3d(3, 0, 1));
 
-    private static readonly Dictionary<string, Func<Place, Func<Window, BodyDescription>>> Table = new()
+    private static readonly Dictionary<string, Func<Form, Func<Window, BodyDescription>>> Table = new()
     {
         // line
-        ["wind"] = place => Push(Wind(place.Fields())),
+        ["wind"] = Push(form => form.Object("Drag against air that blows in gusts", of => new Wind(
+            of["k"].Number("kg/m", least: 0),
+            of["mean"].Vector("Velocity of the air, m/s, world axes"),
+            of.Or("gust", Vector3d.Zero, gust => gust.Vector("What is added to it times sin t, m/s; none if absent"))))),
         // end
     };
 
@@ -48,11 +51,10 @@ public sealed class EffectsPageTests
     {
         using JsonDocument json = JsonDocument.Parse("""{ "k": 0.2, "mean": [6, 0, 0], "gust": [3, 0, 1] }""");
         Place place = new("scene", null, string.Empty, json.RootElement);
-        Effect read = Table["wind"](place)(new Window(new BodyDescription("ball", Solids.Sphere(0.5, 0.1)), 1, 3)).Effects[0];
+        Effect read = Table["wind"](new FilledForm(place))(new Window(new BodyDescription("ball", Solids.Sphere(0.5, 0.1)), 1, 3)).Effects[0];
 
         Assert.That((read.From, read.To, read.Motion.ToString()), Is.EqualTo((1.0, 3.0, Blowing.ToString())));
         Assert.That(Block("<!-- line -->"), Is.EqualTo(Lines("line")));
-        Assert.That(Block("<!-- function -->"), Is.EqualTo(Lines("function")));
     }
 
     [Test]
@@ -110,17 +112,6 @@ public sealed class EffectsPageTests
         simulation.Step((long)Math.Round(3 / step));
         return simulation.Bodies[0].State.Position;
     }
-
-    // function
-    private static Wind Wind(Fields fields)
-    {
-        double k = fields.Required("k").Number();
-        Vector3d mean = fields.Required("mean").Vector(), gust = fields.Or("gust", Vector3d.Zero, place => place.Vector());
-        fields.End();
-        return new Wind(k, mean, gust);
-    }
-
-    // end
 
     private static string[] Block(string after) => PageText.Block(Page, after);
 

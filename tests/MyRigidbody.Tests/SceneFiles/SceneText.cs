@@ -8,8 +8,7 @@ namespace RigidBodyDynamics.Tests.SceneFiles;
 /// <summary>Scenes as text, and what the reader says of them.</summary>
 internal static class SceneText
 {
-    /// <summary>A scene with every name of the format in it.</summary>
-    public const string Everything = """
+    private const string Written = """
         {
           "$schema": "rigid-body-scene-1.schema.json", "schema": "rigid-body-scene/1",
           "name": "all", "about": "every name", "step": 0.01, "duration": 0.5,
@@ -25,7 +24,7 @@ internal static class SceneText
                 { "thrust": { "force": [0, 2, 0], "point": [0.5, 0, 0] } },
                 { "spring": { "anchor": [0, 1, 0], "at": [0, 2, 0], "stiffness": 3 } },
                 { "heavyTop": { "axis": [0, 0, 1], "moment": 3, "up": [0, 1, 0] } },
-                { "perStep": { "force": [[1, 0, 0]], "torque": [[0, 1, 0], [0, 0, 1]] } }
+                { "perStep": { "force": [[1, 0, 0]], "torque": [[0, 1, 0], [0, 0, 1]] } }OTHERS
               ] },
             { "name": "b", "integrator": "UnityRigidbody", "inertia": { "principal": [1, 2, 3], "frame": [1, 1, 0, 0] }, "angularVelocityBody": [1, 2, 3],
               "unity": { "drag": 0.1, "angularDrag": 0.2, "maxAngularVelocity": 9, "sleepThreshold": 0.01, "wakeCounter": 0.2,
@@ -38,9 +37,15 @@ internal static class SceneText
         }
         """;
 
+    /// <summary>A scene with every name of the format in it; an effect that is not written above stands in it with a value for every field.</summary>
+    public static string Everything { get; } = Written.Replace(
+        "OTHERS",
+        string.Concat(EffectReader.Names.Where(name => !Written.Contains($"\"{name}\"")).Select(name => ", " + SceneSchema.Sample(name).ToJsonString())),
+        StringComparison.Ordinal);
+
     /// <summary>The scene as a tree that can be changed.</summary>
-    public static JsonNode Tree(string text = Everything) =>
-        JsonNode.Parse(text, null, new JsonDocumentOptions { AllowTrailingCommas = true, CommentHandling = JsonCommentHandling.Skip })!;
+    public static JsonNode Tree(string? text = null) =>
+        JsonNode.Parse(text ?? Everything, null, new JsonDocumentOptions { AllowTrailingCommas = true, CommentHandling = JsonCommentHandling.Skip })!;
 
     /// <summary>Reads a text as the file "scene.json" of some folder.</summary>
     public static SceneFile Read(string text)
