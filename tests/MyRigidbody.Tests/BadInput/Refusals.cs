@@ -124,6 +124,8 @@ internal static class Refusals
         Case("integrator", "Rungekutta9", () => Run(b => b.Rule = Rules.Named("Rungekutta9"))),
         Case("integrator", "two lines", () => Run(b => b.Rule = Rules.Named("two\nlines"))),
         Case("integrator", "labEuler", () => Rules.Named("labEuler")),
+        Case("order", "0", () => Rules.Of<LabEuler>(order: 0)),
+        Case("name", "", () => Rules.Of<LabEuler>(string.Empty)),
         Case("name", "", () => new BodyDescription(string.Empty, Ball)),
         Case("bodies", "0", () => new Simulation(TimeSteps.Every(1))),
         Case("bodies[1].name", "b", () => new Simulation(TimeSteps.Every(1), Body(), Body())),

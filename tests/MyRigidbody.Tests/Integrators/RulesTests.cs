@@ -13,6 +13,39 @@ public sealed class RulesTests
     public void Body_that_names_no_rule_moves_by_the_exact_one() => Assert.That(Rules.Default.Name, Is.EqualTo("Exact"));
 
     [Test]
+    public void Every_rule_has_a_property_of_its_name_and_stands_in_the_list()
+    {
+        IEnumerable<(string, object?)> properties = typeof(Rules).GetProperties()
+            .Where(property => property.PropertyType == typeof(Rule) && property.Name != nameof(Rules.Default))
+            .Select(property => (property.Name, property.GetValue(null)));
+        Assert.That(Rules.All.Select(rule => (rule.Name, (object?)rule)), Is.EquivalentTo(properties));
+        Assert.That(Rules.All.Select(rule => Rules.Named(rule.Name)), Is.EqualTo(Rules.All));
+    }
+
+    [Test]
+    public void Rule_of_ones_own_has_the_name_of_its_struct_and_moves_a_crowd_to_the_same_bits()
+    {
+        BodyDescription body = Scenery.Body("Exact").With(new Key(LabKey.R));
+        body.Rule = Rules.Of<MomentumEuler>();
+        Simulation alone = new(TimeSteps.Every(0.02), body);
+        alone.Step(50);
+        Batch batch = new(body, TimeSteps.Every(0.02));
+        int id = batch.Add(body.Start);
+        batch.Step(50);
+        Assert.That(body.Rule.Name, Is.EqualTo("MomentumEuler"));
+        Assert.That(batch[id], Is.EqualTo(alone.Bodies[0].State));
+        Assert.That(Rules.All, Does.Not.Contain(body.Rule));
+    }
+
+    [Test]
+    public void Body_without_a_rule_is_refused()
+    {
+        BodyDescription body = Scenery.Body("Exact");
+        body.Rule = null!;
+        Assert.That(() => new Simulation(TimeSteps.Every(0.02), body), Throws.ArgumentNullException.With.Property("ParamName").EqualTo("Rule"));
+    }
+
+    [Test]
     public void No_rule_but_Unitys_lets_a_body_sleep()
     {
         foreach (string integrator in Scenery.Integrators)

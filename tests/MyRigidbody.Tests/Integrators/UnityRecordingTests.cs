@@ -54,8 +54,20 @@ public sealed class UnityRecordingTests
     public void Single_precision_repeats_the_recording_bit_for_bit(string name)
     {
         PhysxRecording recording = PhysxRecording.Read(name);
+        HasTheBitsOf(recording, Play<ToSingle>(recording, areImpulses: false));
+    }
+
+    [Test]
+    public void Impulses_repeat_the_recording_bit_for_bit_into_the_limit_of_spin_and_out_of_sleep()
+    {
+        PhysxRecording recording = PhysxRecording.Read("impulses/impulses");
+        HasTheBitsOf(recording, Play<ToSingle>(recording, areImpulses: true));
+    }
+
+    private static void HasTheBitsOf(PhysxRecording recording, IEnumerable<float[]> played)
+    {
         int k = 0;
-        foreach (float[] mine in Play<ToSingle>(recording))
+        foreach (float[] mine in played)
         {
             float[] theirs = recording.Rows[k];
             for (int i = 2; i < theirs.Length; i++)
@@ -94,7 +106,7 @@ public sealed class UnityRecordingTests
     public void Simulation_of_the_recorded_scene_ends_in_the_same_bits(string name)
     {
         PhysxRecording recording = PhysxRecording.Read(name);
-        float[] driven = Play<ToSingle>(recording).Last();
+        float[] driven = Play<ToSingle>(recording, areImpulses: false).Last();
         BodyDescription body = recording.Body().With(recording.Pushes).With(new Gravity(recording.Coasting.Acceleration));
         Simulation simulation = new(TimeSteps.Of(recording.StepLengths), body);
         simulation.Step(recording.StepLengths.Length);
@@ -102,8 +114,8 @@ public sealed class UnityRecordingTests
         Assert.That(simulation.Bodies[0].IsAsleep, Is.EqualTo(driven[16] == 1));
     }
 
-    /// <summary>The columns of the recording, row after row.</summary>
-    private static IEnumerable<float[]> Play<R>(PhysxRecording recording) where R : struct, IRounding
+    /// <summary>The columns of the recording, row after row; what pushes acts through a step, or at once before it.</summary>
+    private static IEnumerable<float[]> Play<R>(PhysxRecording recording, bool areImpulses) where R : struct, IRounding
     {
         UnityRigidbody<R> body = default;
         body.Start(new Beginning(recording.Body()));
@@ -113,8 +125,20 @@ public sealed class UnityRecordingTests
         yield return Row(body.State, body.WakeCounter, body.IsAsleep);
         for (int n = 0; n < lengths.Length; n++)
         {
+            Nothing nothing = default;
+            Wrench impulse = default;
             body.Prepare(lengths[n], coasting);
-            body.Step(new Instant(n, 0), ref push);
+            if (areImpulses)
+            {
+                push.At(new Instant(n, 0), body.State, MassProperties.FromPrincipal(1, new Vector3d(1, 1, 1)), ref impulse);
+                body.Push(impulse);
+                body.Step(new Instant(n, 0), ref nothing);
+            }
+            else
+            {
+                body.Step(new Instant(n, 0), ref push);
+            }
+
             yield return Row(body.State, body.WakeCounter, body.IsAsleep);
         }
     }
