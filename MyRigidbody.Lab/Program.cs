@@ -98,5 +98,5 @@ internal static class Program
     }
 
     private static string OneLine(IEnumerable<string> messages) =>
-        string.Join(' ', messages.SelectMany(message => message.Split('\n', '\r')).Where(line => line.Length > 0));
+        string.Join(' ', messages.SelectMany(message => message.Split('\n', '\r')).Select(line => line.Trim()).Where(line => line.Length > 0));
 }

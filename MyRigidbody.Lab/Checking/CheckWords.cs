@@ -19,7 +19,7 @@ internal static class CheckWords
         ["at"] = new("line {0}", "第 {0} 行"),
         ["since"] = new("since frame {0} of \"{1}\"", "自实验“{1}”的第 {0} 帧起"),
         ["since.frame"] = new("in frame {0}", "第 {0} 帧"),
-        ["measured"] = new("expected {0}; found {1}", "应为 {0}；实际 {1}"),
+        ["measured"] = new("expected {0}; found {1}", "应为 {0}；实为 {1}"),
         ["doubt"] = new("an instructor decides", "由教师决定"),
         ["comments"] = new("Comments: {0} of {1} statements that were added have one.", "注释：新增的 {1} 条语句中，{0} 条有注释。"),
         ["comments.bare"] = new("Comments: {0} of {1} statements that were added have one; not so in line {2}.", "注释：新增的 {1} 条语句中，{0} 条有注释；没有注释的行：{2}。"),

@@ -1,3 +1,4 @@
+using RigidBodyDynamics.Lab.Output;
 using RigidBodyDynamics.StudentScripts;
 
 namespace RigidBodyDynamics.Lab.Checking;
@@ -25,15 +26,36 @@ internal sealed class Checker : IDisposable
 
     public void Dispose() => _runner.Dispose();
 
-    // other scripts of the same name are other people's
+    // what cannot be read beside it (the lock of an editor, say, which is a link to nowhere) is left out
     private static IEnumerable<ScriptFile> Neighbours(string path)
     {
-        DirectoryInfo folder = new(Path.GetDirectoryName(Path.GetFullPath(path))!);
-        return folder.EnumerateFiles("*.cs")
-            .Where(file => file.Name != Path.GetFileName(path) && file.Length < LargestNeighbour)
-            .OrderBy(file => file.Name, StringComparer.Ordinal)
-            .Take(MostNeighbours)
-            .Select(file => new ScriptFile(file.Name, InputFile.Bytes(file.FullName).ToArray()))
-            .Where(file => !SourceText.Decode(file.Bytes).Text.Contains("class MyRigidbody", StringComparison.OrdinalIgnoreCase));
+        try
+        {
+            string own = Path.GetFullPath(path);
+            return [.. new DirectoryInfo(Path.GetDirectoryName(own)!).GetFiles("*.cs")
+                .Where(file => file.FullName != own && RealPath.IsPlainFile(file.FullName) && file.Length < LargestNeighbour)
+                .OrderBy(file => file.Name, StringComparer.Ordinal)
+                .Take(MostNeighbours)
+                .Select(Read)
+                .OfType<ScriptFile>()];
+        }
+        catch (Exception closed) when (closed is IOException or UnauthorizedAccessException)
+        {
+            return [];
+        }
+    }
+
+    // other scripts of the same name are other people's
+    private static ScriptFile? Read(FileInfo file)
+    {
+        try
+        {
+            ScriptFile read = new(file.Name, InputFile.Bytes(file.FullName).ToArray());
+            return SourceText.Decode(read.Bytes).Text.Contains("class MyRigidbody", StringComparison.OrdinalIgnoreCase) ? null : read;
+        }
+        catch (InputException)
+        {
+            return null;
+        }
     }
 }

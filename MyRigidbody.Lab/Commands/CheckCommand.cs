@@ -57,6 +57,10 @@ internal static class CheckCommand
     private static int Once(Checker checker, string path, string? folder, bool isChinese, bool asJson)
     {
         ScriptReport report = checker.Check(path);
+        Finding? noScript = report.Verdict.Findings.FirstOrDefault(finding => finding.Code is "no-script" or "too-large");
+        if (noScript != null && !asJson)
+            throw new InputException($"{path}: {(isChinese ? noScript.Chinese : noScript.English)}");
+
         if (folder != null)
         {
             using Files files = new(folder, folder, [path]);
@@ -72,6 +76,6 @@ internal static class CheckCommand
         if (folder != null && !asJson)
             Terminal.WriteLine(CheckWords.All["written"].With(folder, Reports.FileName).In(isChinese));
 
-        return report.Verdict.Outcome == Outcome.Right ? 0 : report.Verdict.Findings.Any(finding => finding.Code is "no-script" or "too-large") ? 2 : 1;
+        return report.Verdict.Outcome == Outcome.Right ? 0 : noScript != null ? 2 : 1;
     }
 }

@@ -30,15 +30,24 @@ internal static class GradeCommand
 
     private static int Execute(string[] paths, string output, string? rosterFile, string? starterFile, string? marksFile)
     {
+        if (paths.Contains(string.Empty))
+            throw new InputException("PATH: must not be empty");
+
         Roster? roster = rosterFile == null ? null : Roster.Read(rosterFile);
         MarksFile marks = marksFile == null ? MarksFile.Default : MarksFile.Read(marksFile);
-        string? starter = starterFile == null ? null : SourceText.Decode([.. InputFile.Bytes(starterFile)]).Text;
+        string? starter = starterFile == null ? null : Starter(starterFile);
         using ClassFiles files = new(output, [.. paths.Where(File.Exists).Concat(new[] { rosterFile, starterFile, marksFile }.OfType<string>())]);
         Class all = null!;
         Terminal.WithProgress("grade " + paths[0], report => all = new Grader(new ScriptBench(starter)).Judge(paths, output, roster, marks, report));
         files.Write(all);
         Print(all, output);
         return 0;
+    }
+
+    private static string Starter(string path)
+    {
+        string text = SourceText.Decode([.. InputFile.Bytes(path)]).Text;
+        return text.Contains("MonoBehaviour", StringComparison.Ordinal) ? text : throw new InputException($"{path}: is no script of Unity: there is no MonoBehaviour in it");
     }
 
     private static void Print(Class all, string output)

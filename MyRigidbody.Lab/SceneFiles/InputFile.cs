@@ -8,6 +8,11 @@ internal static class InputFile
     /// <summary>All its bytes.</summary>
     public static ArraySegment<byte> Bytes(string path)
     {
+        if (path.Length == 0)
+        {
+            throw new InputException("the name of a file must not be empty");
+        }
+
         try
         {
             if (Directory.Exists(path))

@@ -1,4 +1,5 @@
 using RigidBodyDynamics.Judging;
+using RigidBodyDynamics.Lab.Output;
 
 namespace RigidBodyDynamics.Lab.Grading.Reading;
 
@@ -59,7 +60,7 @@ internal sealed record HandedIn(IReadOnlyList<Piece> Pieces, IReadOnlyList<(stri
                     Notes.Add((inside.Shown, Problems.Link(entry.Name)));
                 else if (entry is DirectoryInfo below)
                     Below(below, inside);
-                else if (FileKinds.MayHoldScripts(entry.Name))
+                else if (FileKinds.MayHoldScripts(entry.Name) && RealPath.IsPlainFile(entry.FullName))
                     OfFolder((FileInfo)entry, inside);
             }
         }

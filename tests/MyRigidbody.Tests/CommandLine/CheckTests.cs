@@ -1,3 +1,4 @@
+using System.Diagnostics;
 using System.Text.Json;
 using NUnit.Framework;
 
@@ -58,9 +59,22 @@ public sealed class CheckTests
     {
         using TemporaryFolder folder = new();
         System.IO.File.WriteAllText(folder.File("notes.cs"), "nothing");
-        LabProcess missing = LabProcess.Run(folder.Path, "check", "missing.cs"), none = LabProcess.Run(folder.Path, "check", "notes.cs");
+        LabProcess missing = LabProcess.Run(folder.Path, "check", "missing.cs"), none = LabProcess.Run(folder.Path, "check", "notes.cs", "--lang", "en");
         Assert.That((missing.ExitCode, none.ExitCode), Is.EqualTo((2, 2)));
         Assert.That(missing.Error, Is.EqualTo("error: missing.cs: there is no such file\n"));
+        Assert.That((none.Output, none.Error), Is.EqualTo((string.Empty, "error: notes.cs: There is no class MyRigidbody : MonoBehaviour with Update or FixedUpdate.\n")));
+    }
+
+    [Test]
+    [Platform("Unix")]
+    public void What_cannot_be_read_beside_a_script_is_left_out()
+    {
+        using TemporaryFolder folder = new();
+        System.IO.File.Copy(TestData.Path("submissions", "class", Right, File), folder.File(File));
+        System.IO.File.CreateSymbolicLink(folder.File(".#" + File), "somebody@somewhere.1234");
+        Process.Start("mkfifo", [folder.File("pipe.cs")]).WaitForExit();
+
+        Assert.That(LabProcess.Run(folder.Path, "check", File).ExitCode, Is.Zero);
     }
 
     private static (int Code, string Output) Check(string student, params string[] options)

@@ -38,6 +38,8 @@ public sealed class GradeCommandTests
     [TestCase("error: list.txt: line 1: there is no heading 学号 or 姓名", "--roster", "list.txt", ".")]
     [TestCase("error: list.txt: line 1, column 1:", "--marks", "list.txt", ".")]
     [TestCase("error: nothing.cs: there is no such file", "--starter", "nothing.cs", ".")]
+    [TestCase("error: list.txt: is no script of Unity", "--starter", "list.txt", ".")]
+    [TestCase("error: PATH: must not be empty", "")]
     [TestCase("error: Required argument 'PATH' missing")]
     public void What_cannot_be_graded_is_one_line(string line, params string[] arguments)
     {
