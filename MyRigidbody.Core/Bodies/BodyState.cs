@@ -43,6 +43,29 @@ namespace RigidBodyDynamics
         internal bool HasFiniteSquares =>
             Position.IsFinite && Orientation.IsFinite && Guard.IsFinite(Velocity.LengthSquared + AngularVelocity.LengthSquared);
 
+        /// <summary>
+        /// A state between two others: the centre of mass goes by Hermite's cubic through both velocities, the orientation the shorter
+        /// way at one rate, velocities change at one rate.
+        /// </summary>
+        /// <param name="from">The first.</param>
+        /// <param name="to">The second.</param>
+        /// <param name="center">Centre of mass in the body frame, m.</param>
+        /// <param name="duration">From the first to the second, s.</param>
+        /// <param name="part">The part of it, 0 to 1.</param>
+        internal static BodyState Between(in BodyState from, in BodyState to, Vector3d center, double duration, double part)
+        {
+            double s = part, r = 1 - part;
+            BodyState at = default(BodyState);
+            at.Orientation = Quaterniond.Slerp(from.Orientation, to.Orientation, s);
+            at.Velocity = r * from.Velocity + s * to.Velocity;
+            at.AngularVelocity = r * from.AngularVelocity + s * to.AngularVelocity;
+            Vector3d first = from.Position + from.Orientation.Rotate(center), second = to.Position + to.Orientation.Rotate(center);
+            Vector3d x = r * r * (1 + 2 * s) * first + s * s * (1 + 2 * r) * second
+                + duration * s * r * (r * from.Velocity - s * to.Velocity);
+            at.Position = x - at.Orientation.Rotate(center);
+            return at;
+        }
+
         /// <summary>In words, to the last digit.</summary>
         public override string ToString() =>
             "position " + Position + ", orientation " + Orientation + ", velocity " + Velocity + ", angular velocity " + AngularVelocity;

@@ -85,7 +85,7 @@ namespace RigidBodyDynamics
         /// <summary>Its name.</summary>
         public sealed override string ToString() => Name;
 
-        internal Body Build(BodyPlan plan, Clock clock) => Use(plan.Body, new BodyMaker(plan, clock));
+        internal Mover Build(BodyPlan plan, Clock clock) => Use(plan.Body, new MoverMaker(plan, clock));
 
         /// <summary>Does something with the rule as a type, the one that suits a body.</summary>
         internal abstract TResult Use<TResult>(BodyDescription body, IRuleUse<TResult> use);
@@ -107,18 +107,18 @@ namespace RigidBodyDynamics
         internal virtual bool Coasts(BodyDescription body, StretchPlan stretch) =>
             stretch.Pushes.Count == 0 && !body.CanMove && !body.CanTurn;
 
-        private sealed class BodyMaker : IRuleUse<Body>
+        private sealed class MoverMaker : IRuleUse<Mover>
         {
             private readonly BodyPlan _plan;
             private readonly Clock _clock;
 
-            public BodyMaker(BodyPlan plan, Clock clock)
+            public MoverMaker(BodyPlan plan, Clock clock)
             {
                 _plan = plan;
                 _clock = clock;
             }
 
-            public Body With<TIntegrator>() where TIntegrator : struct, IIntegrator => new MovingBody<TIntegrator>(_plan, _clock);
+            public Mover With<TIntegrator>() where TIntegrator : struct, IIntegrator => new Mover<TIntegrator>(_plan, _clock);
         }
     }
 

@@ -98,6 +98,28 @@ namespace RigidBodyDynamics
         public static Quaterniond operator *(double s, Quaterniond a) =>
             new Quaterniond(s * a.W, s * a.X, s * a.Y, s * a.Z);
 
+        /// <summary>The cosine of half the angle between two orientations of length 1; negative where −b is nearer to a than b.</summary>
+        public static double Dot(Quaterniond a, Quaterniond b) => a.W * b.W + a.X * b.X + a.Y * b.Y + a.Z * b.Z;
+
+        /// <summary>A part, 0 to 1, of the shorter turn from one orientation to another, at one rate. Both of length 1.</summary>
+        /// <remarks>K. Shoemake, "Animating rotation with quaternion curves", SIGGRAPH 1985.</remarks>
+        public static Quaterniond Slerp(Quaterniond a, Quaterniond b, double part)
+        {
+            double half = 0.5 * Conserved.AngleBetween(a, b);
+            // sines of such angles are the angles
+            if (half < 1e-8)
+                return Nlerp(a, b, part);
+
+            Elementary.SinCos(half, out double whole, out _);
+            Elementary.SinCos(half * (1 - part), out double first, out _);
+            Elementary.SinCos(half * part, out double second, out _);
+            return (first / whole * a + (Dot(a, b) < 0 ? -second : second) / whole * b).Normalized;
+        }
+
+        /// <summary>The same way as <see cref="Slerp"/>, faster in the middle of a long turn, without trigonometry.</summary>
+        public static Quaterniond Nlerp(Quaterniond a, Quaterniond b, double part) =>
+            ((1 - part) * a + (Dot(a, b) < 0 ? -part : part) * b).Normalized;
+
         /// <summary>Takes a vector of the body to the world. The length of q must be 1.</summary>
         /// <remarks>v + 2w (u × v) + 2u × (u × v), with u the vector part: 15 products and no square.</remarks>
         [MethodImpl(MethodImplOptions.AggressiveInlining)]

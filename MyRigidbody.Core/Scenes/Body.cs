@@ -1,38 +1,65 @@
+using System;
+
 namespace RigidBodyDynamics
 {
-    /// <summary>A body in motion.</summary>
-    public abstract class Body
+    /// <summary>
+    /// A body in motion: the handle that <see cref="Simulation.Add"/> gives. It knows when its body has been removed, and is never
+    /// another's.
+    /// </summary>
+    public sealed class Body
     {
-        internal Body(BodyPlan plan)
+        private readonly Simulation _simulation;
+
+        internal Body(Simulation simulation, Mover mover)
         {
-            Plan = plan;
-            Name = plan.Body.Name;
-            Mass = plan.Body.Mass;
+            _simulation = simulation;
+            Mover = mover;
         }
 
-        /// <summary>Its name in the scene.</summary>
-        public string Name { get; }
+        /// <summary>Its name.</summary>
+        public string Name => Plan.Asked.Name;
 
         /// <summary>Mass and inertia.</summary>
-        public MassProperties Mass { get; }
+        public MassProperties Mass => Plan.Asked.Mass;
 
-        /// <summary>What its motion consists of, and what was left out.</summary>
-        public BodyPlan Plan { get; }
+        /// <summary>What its motion consists of from when it was last planned, and what was left out.</summary>
+        public BodyPlan Plan => Mover.Plan;
 
         /// <summary>The rule by which it moves.</summary>
         public Rule Rule => Plan.Rule;
 
+        /// <summary>Whatever the program wants to find again with the body.</summary>
+        public object Tag { get; set; }
+
+        /// <summary>True once it has been removed.</summary>
+        public bool IsRemoved => Index < 0;
+
         /// <summary>
-        /// Where it is and how it moves now. A body that coasts is computed when this is asked, so two threads must not
-        /// ask one body at the same time.
+        /// Where it is and how it moves now. A body that coasts is computed when this is read, so two threads must not
+        /// read one body at the same time. What is set holds from now on; between two steps there is no way to it.
         /// </summary>
-        public abstract BodyState State { get; }
+        /// <exception cref="InvalidOperationException">The body has been removed, or an effect sets a state.</exception>
+        public BodyState State
+        {
+            get => Here().State;
+            set
+            {
+                Mover mover = Changing();
+                Plan.Asked.Check(value);
+                Omissions needs = (value.Velocity.IsZero ? 0 : Omissions.Translation) | (value.AngularVelocity.IsZero ? 0 : Omissions.Rotation);
+                if ((needs & mover.Plan.LeftOut) != 0)
+                    _simulation.Plan(this, Plan.Asked, value, Plan.MayLeaveOut & ~needs);
 
-        /// <summary>True while it has been put to sleep.</summary>
-        public abstract bool IsAsleep { get; }
+                Mover.Set(value);
+                _simulation.Sort(this);
+            }
+        }
 
-        /// <summary>True while nothing is computed for it until somebody looks: it sleeps, or coasts along a closed form.</summary>
-        public abstract bool IsDormant { get; }
+        /// <summary>True while its rule has put it to sleep.</summary>
+        public bool IsAsleep => Here().IsAsleep;
+
+        /// <summary>True while nothing is computed for it until its state is read: it sleeps, or coasts along a closed form.</summary>
+        public bool IsDormant => Here().IsDormant;
 
         /// <summary>Kinetic energy of the translation and the rotation, J.</summary>
         public double KineticEnergy => Conserved.KineticEnergy(State, Mass);
@@ -40,17 +67,121 @@ namespace RigidBodyDynamics
         /// <summary>Angular momentum about the centre of mass, kg m²/s, world axes.</summary>
         public Vector3d AngularMomentum => Conserved.AngularMomentum(State, Mass);
 
-        /// <summary>The step by which it has to be stepped again, while it is dormant.</summary>
-        internal abstract long WakesAt { get; }
+        /// <summary>What moves it until it is planned anew.</summary>
+        internal Mover Mover { get; set; }
 
-        /// <summary>Goes on to the end of a step, or as far as its effects let it; what stopped it comes with the answer.</summary>
-        internal abstract long Advance(long end, ref System.Exception failure);
+        /// <summary>Its place in <see cref="Simulation.Bodies"/>; −1 once it has been removed.</summary>
+        internal int Index { get; set; } = -1;
 
-        /// <summary>Back to where the last <see cref="Advance"/> began.</summary>
-        internal abstract void GoBack();
+        /// <summary>Its place among the dormant bodies that an effect will wake; −1 if it is none.</summary>
+        internal int PlaceInQueue { get; set; } = -1;
 
-        internal abstract object Save();
+        /// <summary>True while it is among those that are stepped.</summary>
+        internal bool IsStepped { get; set; }
 
-        internal abstract void Restore(object saved);
+        /// <summary>
+        /// The state in the last step: at its beginning for 0, at its end for 1. A body that coasted is followed along its exact
+        /// motion; any other goes from pose to pose (orientation by slerp, centre of mass by Hermite's cubic).
+        /// </summary>
+        /// <param name="alpha">0 to 1, for instance <see cref="Simulation.Alpha"/>.</param>
+        public BodyState Between(double alpha) => alpha >= 0 && alpha <= 1
+            ? Here().Between(alpha)
+            : throw Guard.Refused(nameof(alpha), alpha, "must be from 0 to 1");
+
+        /// <summary>Pushes with a force (N) at the centre of mass during the next step.</summary>
+        public void ApplyForce(Vector3d force, bool inBody = false) =>
+            AddLoad(Load.Of(Guard.Finite(force, nameof(force)), Vector3d.Zero, inBody));
+
+        /// <summary>
+        /// Pushes with a force (N) at a point (m) during the next step. In world axes force and torque stay as they are now for the
+        /// whole step; in body axes both turn with the body.
+        /// </summary>
+        public void ApplyForce(Vector3d force, Vector3d point, bool inBody = false) =>
+            AddLoad(Load.Of(Guard.Finite(force, nameof(force)), Arm(point, inBody), inBody));
+
+        /// <summary>Turns with a torque (N m) during the next step.</summary>
+        public void ApplyTorque(Vector3d torque, bool inBody = false) =>
+            AddLoad(new Load { Wrench = Turn(Guard.Finite(torque, nameof(torque)), inBody) });
+
+        /// <summary>Gives an impulse (N s) at the centre of mass, now.</summary>
+        public void ApplyImpulse(Vector3d impulse, bool inBody = false) =>
+            Push(Load.Of(Guard.Finite(impulse, nameof(impulse)), Vector3d.Zero, inBody));
+
+        /// <summary>Gives an impulse (N s) at a point (m), now.</summary>
+        public void ApplyImpulse(Vector3d impulse, Vector3d point, bool inBody = false) =>
+            Push(Load.Of(Guard.Finite(impulse, nameof(impulse)), Arm(point, inBody), inBody));
+
+        /// <summary>Gives an angular impulse (N m s), now.</summary>
+        public void ApplyAngularImpulse(Vector3d impulse, bool inBody = false) =>
+            Push(new Load { Wrench = Turn(Guard.Finite(impulse, nameof(impulse)), inBody) });
+
+        /// <summary>
+        /// From now on it is another body in the same place: other mass, rule or effects. Its start is not looked at; times of
+        /// effects are those of the simulation, which goes on.
+        /// </summary>
+        /// <param name="description">What it is from now on.</param>
+        /// <param name="keeping">What goes on where mass or inertia change.</param>
+        public void Change(BodyDescription description, Keeping keeping = Keeping.Velocity)
+        {
+            Guard.NotNull(description, nameof(description));
+            Mover mover = Changing();
+            BodyState state = MassChange.Of(mover.State, Mass, description.Mass, keeping);
+            if (!description.CanMove)
+                state.Velocity = Vector3d.Zero;
+
+            if (!description.CanTurn)
+                state.AngularVelocity = Vector3d.Zero;
+
+            _simulation.Plan(this, description, state, _simulation.MayLeaveOut);
+            _simulation.Sort(this);
+        }
+
+        /// <summary>In words.</summary>
+        public override string ToString() => "body \"" + Name + "\"" + (IsRemoved ? " (removed)" : string.Empty);
+
+        private void Push(in Load load)
+        {
+            Mover mover = Ready(load);
+            mover.Push(load.BodyForce.IsZero ? load.Wrench : load.At(mover.State.Orientation));
+            _simulation.Sort(this);
+        }
+
+        private void AddLoad(in Load load)
+        {
+            Ready(load).Add(load);
+            _simulation.Sort(this);
+        }
+
+        /// <summary>What moves it, with nothing left out that a load needs.</summary>
+        private Mover Ready(in Load load)
+        {
+            Mover mover = Changing();
+            if ((load.Needs & mover.Plan.LeftOut) != 0)
+                _simulation.Plan(this, Plan.Asked, mover.State, Plan.MayLeaveOut & ~load.Needs);
+
+            return Mover;
+        }
+
+        private Vector3d Arm(Vector3d point, bool inBody)
+        {
+            Guard.Finite(point, nameof(point));
+            if (inBody)
+                return point - Mass.CenterOfMass;
+
+            BodyState state = State;
+            return point - state.Position - state.Orientation.Rotate(Mass.CenterOfMass);
+        }
+
+        private static Wrench Turn(Vector3d torque, bool inBody) =>
+            inBody ? new Wrench { BodyTorque = torque } : new Wrench { Torque = torque };
+
+        private Mover Changing()
+        {
+            Here();
+            _simulation.MayBeChanged();
+            return Mover;
+        }
+
+        private Mover Here() => !IsRemoved ? Mover : throw new InvalidOperationException(this + ": is not in the simulation any more");
     }
 }

@@ -122,30 +122,35 @@ namespace RigidBodyDynamics
         /// <summary>Refuses, by name and value, what only shows when all has been said. A simulation does so before it begins.</summary>
         public void Check()
         {
-            Guard.Finite(Start.Position, "position");
-            Guard.Turn(Start.Orientation, "orientation");
-            Guard.Finite(Start.Velocity, "velocity");
-            Guard.Finite(Start.AngularVelocity, "angularVelocity");
-            BodyState unturned = new BodyState(Vector3d.Zero, Start.Orientation.Normalized, Start.Velocity, Vector3d.Zero);
-            if (!Guard.IsFinite(Conserved.KineticEnergy(unturned, Mass)))
-                throw Guard.Refused("velocity", Start.Velocity, "must leave a finite kinetic energy");
-
-            unturned.Velocity = Vector3d.Zero;
-            unturned.AngularVelocity = Start.AngularVelocity;
-            if (!Guard.IsFinite(Conserved.KineticEnergy(unturned, Mass)))
-                throw Guard.Refused("angularVelocity", Start.AngularVelocity, "must leave a finite kinetic energy");
-
+            Check(Start);
             Guard.NotNull(Rule, nameof(Rule));
             Guard.NotNull(Lab, nameof(Lab));
             Guard.NotNull(Unity, nameof(Unity));
             if (_effects.Count > MostEffects)
                 throw Guard.Refused("effects", _effects.Count, "must be at most " + MostEffects);
+        }
 
-            if (!CanMove && !Start.Velocity.IsZero)
-                throw Guard.Refused("velocity", Start.Velocity, "must be zero where canMove is false");
+        /// <summary>Refuses a state that such a body cannot have.</summary>
+        internal void Check(in BodyState state)
+        {
+            Guard.Finite(state.Position, "position");
+            Guard.Turn(state.Orientation, "orientation");
+            Guard.Finite(state.Velocity, "velocity");
+            Guard.Finite(state.AngularVelocity, "angularVelocity");
+            BodyState unturned = new BodyState(Vector3d.Zero, state.Orientation.Normalized, state.Velocity, Vector3d.Zero);
+            if (!Guard.IsFinite(Conserved.KineticEnergy(unturned, Mass)))
+                throw Guard.Refused("velocity", state.Velocity, "must leave a finite kinetic energy");
 
-            if (!CanTurn && !Start.AngularVelocity.IsZero)
-                throw Guard.Refused("angularVelocity", Start.AngularVelocity, "must be zero where canTurn is false");
+            unturned.Velocity = Vector3d.Zero;
+            unturned.AngularVelocity = state.AngularVelocity;
+            if (!Guard.IsFinite(Conserved.KineticEnergy(unturned, Mass)))
+                throw Guard.Refused("angularVelocity", state.AngularVelocity, "must leave a finite kinetic energy");
+
+            if (!CanMove && !state.Velocity.IsZero)
+                throw Guard.Refused("velocity", state.Velocity, "must be zero where canMove is false");
+
+            if (!CanTurn && !state.AngularVelocity.IsZero)
+                throw Guard.Refused("angularVelocity", state.AngularVelocity, "must be zero where canTurn is false");
         }
     }
 }

@@ -24,18 +24,19 @@ namespace RigidBodyDynamics
     }
 
     /// <summary>
-    /// What a body's motion consists of, read once from its description: what is here runs, and what runs is here.
+    /// What a body's motion consists of, read once from its description: what is here runs, and what runs is here. A body that
+    /// is changed gets another.
     /// </summary>
     public sealed class BodyPlan
     {
-        internal BodyPlan(BodyDescription body, TimeSteps steps, Omissions mayLeaveOut)
+        internal BodyPlan(BodyDescription body, TimeSteps steps, Omissions mayLeaveOut, long first = 0)
         {
             body.Check();
             Steps = steps;
-            MayCoast = (mayLeaveOut & Omissions.Coasting) != 0;
+            MayLeaveOut = mayLeaveOut;
             Rule = body.Rule;
-            Asked = body;
-            Stretches = StretchPlan.Divide(body, steps);
+            Asked = body.Copy(body.Name, body.Mass);
+            Stretches = StretchPlan.Divide(body, steps, first);
 
             bool moves = !body.Start.Velocity.IsZero, turns = !body.Start.AngularVelocity.IsZero;
             foreach (StretchPlan stretch in Stretches)
@@ -69,7 +70,9 @@ namespace RigidBodyDynamics
         /// <summary>The body as the scene describes it.</summary>
         public BodyDescription Asked { get; }
 
-        internal bool MayCoast { get; }
+        internal Omissions MayLeaveOut { get; }
+
+        internal bool MayCoast => (MayLeaveOut & Omissions.Coasting) != 0;
 
         /// <summary>True if something pushes it at any time.</summary>
         internal bool IsPushed { get; }

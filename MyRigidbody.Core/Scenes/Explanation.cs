@@ -63,11 +63,11 @@ namespace RigidBodyDynamics
         public string Time(StretchPlan stretch)
         {
             Guard.NotNull(stretch, nameof(stretch));
-            string from = _plan.Steps.StartOf(stretch.First).ToString("R", CultureInfo.InvariantCulture) + " s";
-            if (stretch.End == _plan.Steps.Count)
+            string from = stretch.Starts.ToString("R", CultureInfo.InvariantCulture) + " s";
+            if (double.IsPositiveInfinity(stretch.Ends))
                 return stretch.First == 0 ? "always" : "from " + from;
 
-            return from + " to " + _plan.Steps.StartOf(stretch.End).ToString("R", CultureInfo.InvariantCulture) + " s";
+            return from + " to " + stretch.Ends.ToString("R", CultureInfo.InvariantCulture) + " s";
         }
 
         /// <summary>All of it, line by line.</summary>

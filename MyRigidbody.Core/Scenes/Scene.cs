@@ -12,9 +12,6 @@ namespace RigidBodyDynamics
             About = Guard.NotNull(about, nameof(about));
             Steps = Guard.NotNull(steps, nameof(steps));
             Bodies = Guard.NotNull(bodies, nameof(bodies));
-            if (bodies.Count == 0)
-                throw Guard.Refused(nameof(bodies), 0, "must be at least one");
-
             HashSet<string> names = new HashSet<string>();
             for (int i = 0; i < bodies.Count; i++)
             {
@@ -32,7 +29,7 @@ namespace RigidBodyDynamics
         /// <summary>How its time is divided.</summary>
         public TimeSteps Steps { get; }
 
-        /// <summary>Its bodies, at least one.</summary>
+        /// <summary>Its bodies.</summary>
         public IReadOnlyList<BodyDescription> Bodies { get; }
     }
 }

@@ -1,17 +1,16 @@
 using System;
 using System.Collections.Generic;
-using System.Runtime.ExceptionServices;
 
 namespace RigidBodyDynamics
 {
-    /// <summary>A scene in motion.</summary>
-    public sealed class Simulation
+    /// <summary>
+    /// Bodies in motion. They come and go, are pushed and changed between two steps; nothing of that may be done by an effect while
+    /// a step is taken.
+    /// </summary>
+    public sealed partial class Simulation
     {
-        private readonly Body[] _bodies;
-        private readonly Clock _clock = new Clock();
-
-        private readonly List<Body> _stepped;
-        private readonly WakeQueue _dormant;
+        private readonly List<Body> _bodies = new List<Body>();
+        private readonly Clock _clock;
         private Turnstile _turnstile;
 
         /// <summary>Reads the scene once: every body gets the sum of what acts on it and the step made for that sum.</summary>
@@ -20,156 +19,129 @@ namespace RigidBodyDynamics
         public Simulation(Scene scene, Omissions mayLeaveOut = Omissions.All)
         {
             Scene = Guard.NotNull(scene, nameof(scene));
-            int count = scene.Bodies.Count;
-            _bodies = new Body[count];
-            _stepped = new List<Body>(count);
-            _dormant = new WakeQueue(count);
-            for (int i = 0; i < count; i++)
-            {
-                BodyPlan plan = new BodyPlan(scene.Bodies[i], scene.Steps, mayLeaveOut);
-                _bodies[i] = plan.Rule.Build(plan, _clock);
-            }
-
-            Sort();
+            MayLeaveOut = mayLeaveOut;
+            _clock = new Clock(scene.Steps);
+            foreach (BodyDescription body in scene.Bodies)
+                Add(body);
         }
 
-        /// <summary>Bodies that move in steps of one division of time.</summary>
+        /// <summary>Bodies that move in steps of one division of time; none at first, if none is named.</summary>
         public Simulation(TimeSteps steps, params BodyDescription[] bodies) : this(new Scene("simulation", string.Empty, steps, bodies)) { }
 
-        /// <summary>What is simulated.</summary>
+        /// <summary>What it began with.</summary>
         public Scene Scene { get; }
 
-        /// <summary>The bodies, in the order of the scene.</summary>
+        /// <summary>The bodies, in the order in which they came; the last takes the place of one that is removed.</summary>
         public IReadOnlyList<Body> Bodies => _bodies;
 
         /// <summary>How many steps are done.</summary>
         public long StepsDone => _clock.Step;
 
         /// <summary>Time since the start, s.</summary>
-        public double Time => Scene.Steps.StartOf(StepsDone);
+        public double Time => _clock.Steps.StartOf(StepsDone);
 
-        /// <summary>One step of all bodies. Allocates nothing.</summary>
-        public void Step() => Step(1);
+        internal Omissions MayLeaveOut { get; }
 
-        /// <summary>A number of steps of all bodies; the same bits as that many single ones, and less overhead.</summary>
-        /// <exception cref="BrokenEffectException">
-        /// An effect gave a force that is not finite, or threw an exception. All bodies then stand before the step in which it did.
-        /// </exception>
-        /// <exception cref="StateOverflowException">
-        /// The step of a body did not lead to a finite state. All bodies then stand before it. A body that coasts is not looked
-        /// at: it says so when its state is asked for, or when an effect begins to act on it.
-        /// </exception>
-        /// <exception cref="InvalidOperationException">An effect stepped the simulation that it acts in, or another thread did.</exception>
-        public void Step(long count)
+        /// <summary>Adds a body, which starts now.</summary>
+        /// <param name="description">What it is; nothing that is changed in it later changes the body. Names may repeat.</param>
+        public Body Add(BodyDescription description)
         {
-            long left = Scene.Steps.Count - StepsDone;
-            if (count < 0 || count > left)
-                throw Guard.Refused(nameof(count), count, "must be from 0 to the " + left + " steps that the scene has left");
-
-            _turnstile.Enter("simulation", Scene.Name);
-            try
-            {
-                Advance(StepsDone + count);
-            }
-            finally
-            {
-                _turnstile.Leave();
-            }
+            Guard.NotNull(description, nameof(description));
+            MayBeChanged();
+            Body body = new Body(this, Moving(description, MayLeaveOut));
+            Enter(body);
+            return body;
         }
 
-        private void Advance(long end)
+        /// <summary>Removes a body. Its handle can be asked for its name and its plan, and for nothing else.</summary>
+        public void Remove(Body body)
         {
-            while (_dormant.Next < end)
-                _stepped.Add(_dormant.Take());
-
-            Exception failure = null;
-            for (int i = 0; i < _stepped.Count; i++)
-            {
-                long reached = _stepped[i].Advance(end, ref failure);
-                if (reached == end)
-                    continue;
-
-                // where one cannot go on, all go back and come as far as that one came
-                end = reached;
-                for (; i >= 0; i--)
-                    _stepped[i].GoBack();
-            }
-
-            _clock.Step = end;
-            LayDown();
-            if (failure != null)
-                ExceptionDispatchInfo.Capture(failure).Throw();
+            Mine(body);
+            MayBeChanged();
+            Leave(body);
         }
 
-        /// <summary>All that a later <see cref="Restore"/> needs to go on from here to the same bits.</summary>
+        /// <summary>All that a later <see cref="Restore"/> needs to go on from here to the same bits, and with the same bodies.</summary>
         public SavedSimulation Save()
         {
-            _turnstile.Enter("simulation", Scene.Name);
-            try
-            {
-                return new SavedSimulation(this, StepsDone, Array.ConvertAll(_bodies, body => body.Save()));
-            }
-            finally
-            {
-                _turnstile.Leave();
-            }
+            MayBeChanged();
+            return new SavedSimulation(this, _clock, _rest, _bodies.ConvertAll(body => new SavedBody(body)));
         }
 
-        /// <summary>Goes back, or on, to where the simulation was when it was saved.</summary>
+        /// <summary>
+        /// Goes back, or on, to where the simulation was when it was saved. Bodies that have been removed since come back with their
+        /// handles; bodies that have come since are removed.
+        /// </summary>
         public void Restore(SavedSimulation saved)
         {
             if (Guard.NotNull(saved, nameof(saved)).Owner != this)
                 throw new ArgumentException("saved: must come from the same simulation", nameof(saved));
 
-            _turnstile.Enter("simulation", Scene.Name);
-            for (int i = 0; i < _bodies.Length; i++)
-                _bodies[i].Restore(saved.Bodies[i]);
+            MayBeChanged();
+            while (_bodies.Count > 0)
+                Leave(_bodies[_bodies.Count - 1]);
 
+            LayDown();
+            _clock.Steps.Division = saved.Division;
             _clock.Step = saved.StepsDone;
-            Sort();
+            _clock.LastLength = saved.LastLength;
+            _rest = saved.Rest;
+            foreach (SavedBody body in saved.Bodies)
+            {
+                body.Restore();
+                Enter(body.Body);
+            }
+        }
+
+        /// <summary>Refuses what an effect would do to the simulation in which it acts.</summary>
+        internal void MayBeChanged()
+        {
+            _turnstile.Enter("simulation", Scene.Name);
             _turnstile.Leave();
         }
 
-        private void Sort()
+        /// <summary>From now on a body moves after another description.</summary>
+        internal void Plan(Body body, BodyDescription description, in BodyState state, Omissions mayLeaveOut)
         {
-            _stepped.Clear();
-            _dormant.Clear();
-            _stepped.AddRange(_bodies);
-            LayDown();
+            BodyDescription now = description.Copy(description.Name, description.Mass);
+            now.Start = state;
+            Mover next = Moving(now, mayLeaveOut), last = body.Mover;
+            last.Arrive(mayCoast: true);
+            next.Last = last.Last;
+            if (last.Load.Step == StepsDone)
+                next.Add(last.Load);
+
+            body.Mover = next;
         }
 
-        private void LayDown()
+        private Mover Moving(BodyDescription description, Omissions mayLeaveOut)
         {
-            int kept = 0;
-            for (int i = 0; i < _stepped.Count; i++)
-            {
-                Body body = _stepped[i];
-                if (!body.IsDormant)
-                    _stepped[kept++] = body;
-                else if (body.WakesAt < Scene.Steps.Count)
-                    _dormant.Add(body.WakesAt, body);
-            }
-
-            if (kept < _stepped.Count)
-                _stepped.RemoveRange(kept, _stepped.Count - kept);
-        }
-    }
-
-    /// <summary>A simulation as it was at one time.</summary>
-    public sealed class SavedSimulation
-    {
-        internal SavedSimulation(Simulation owner, long stepsDone, object[] bodies)
-        {
-            Owner = owner;
-            StepsDone = stepsDone;
-            Bodies = bodies;
+            BodyPlan plan = new BodyPlan(description, _clock.Steps, mayLeaveOut, StepsDone);
+            return plan.Rule.Build(plan, _clock);
         }
 
-        /// <summary>How many steps had been done.</summary>
-        public long StepsDone { get; }
+        private void Enter(Body body)
+        {
+            body.Index = _bodies.Count;
+            _bodies.Add(body);
+            Sort(body);
+        }
 
-        internal Simulation Owner { get; }
+        private void Leave(Body body)
+        {
+            _dormant.Remove(body);
+            Body last = _bodies[_bodies.Count - 1];
+            _bodies[last.Index = body.Index] = last;
+            _bodies.RemoveAt(_bodies.Count - 1);
+            body.Index = -1;
+            _haveLeft |= body.IsStepped;
+        }
 
-        internal object[] Bodies { get; }
+        private void Mine(Body body)
+        {
+            int index = Guard.NotNull(body, nameof(body)).Index;
+            if (index < 0 || index >= _bodies.Count || _bodies[index] != body)
+                throw new ArgumentException("body: \"" + body.Name + "\" is not in this simulation", nameof(body));
+        }
     }
 }

@@ -16,6 +16,9 @@ namespace RigidBodyDynamics
         /// <summary>The step after its last.</summary>
         public long End { get; }
 
+        /// <summary>The length of steps (s) that the rule is prepared for by this stretch; 0 for none.</summary>
+        public double PreparedFor { get; set; }
+
         /// <summary>Steps one by one.</summary>
         public abstract void Run(ref TIntegrator integrator, TimeSteps steps, long first, long end);
 
@@ -25,8 +28,11 @@ namespace RigidBodyDynamics
         /// <summary>From a state at one step to that at a later one, of a body that coasts since it was at the anchor.</summary>
         public abstract void Coast(ref TIntegrator integrator, TimeSteps steps, long anchored, long from, long to);
 
+        /// <summary>The state a time (s) ago, of a body that has coasted since.</summary>
+        public abstract void Return(ref TIntegrator integrator, double time);
+
         /// <summary>Another state follows than the one that was here last.</summary>
-        public abstract void Forget();
+        public void Forget() => PreparedFor = 0;
     }
 
     /// <summary>A stretch whose sum of effects is a type, so that its step is compiled for just that sum.</summary>
@@ -39,7 +45,6 @@ namespace RigidBodyDynamics
         private const MethodImplOptions Optimised = (MethodImplOptions)512;
         private readonly Coasting _coasting;
         private TSum _sum;
-        private double _preparedFor;
 
         public Stretch(long end, in Coasting coasting, TSum sum) : base(end)
         {
@@ -77,27 +82,32 @@ namespace RigidBodyDynamics
             {
                 integrator = Anchor;
                 Forget();
-                DoubleDouble time = steps.Between(anchored, block);
-                Coasting coasting = _coasting;
-                coasting.Rest = time.Low;
-                Leap leap = default(Leap);
-                integrator.Prepare(time.High, coasting);
-                integrator.Step(new Instant(anchored, steps.StartOf(anchored)), ref leap);
+                Leap(ref integrator, steps.Between(anchored, block));
                 from = block;
             }
 
             Run(ref integrator, steps, from, to);
         }
 
-        public override void Forget() => _preparedFor = 0;
+        public override void Return(ref TIntegrator integrator, double time) => Leap(ref integrator, -time);
+
+        private void Leap(ref TIntegrator integrator, DoubleDouble time)
+        {
+            Coasting coasting = _coasting;
+            coasting.Rest = time.Low;
+            Leap leap = default(Leap);
+            integrator.Prepare(time.High, coasting);
+            // no push is asked, so none learns when
+            integrator.Step(default(Instant), ref leap);
+        }
 
         private void Prepare(ref TIntegrator integrator, double length)
         {
-            if (length == _preparedFor)
+            if (length == PreparedFor)
                 return;
 
             integrator.Prepare(length, _coasting);
-            _preparedFor = length;
+            PreparedFor = length;
         }
     }
 }

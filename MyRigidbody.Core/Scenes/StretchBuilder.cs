@@ -19,21 +19,26 @@ namespace RigidBodyDynamics
 
         private readonly BodyPlan _plan;
         private readonly StretchPlan _stretch;
+        private readonly Mover _loaded;
         private readonly bool _isWatched;
 
-        private StretchBuilder(BodyPlan plan, StretchPlan stretch, bool isWatched)
+        private StretchBuilder(BodyPlan plan, StretchPlan stretch, bool isWatched, Mover loaded)
         {
             _plan = plan;
             _stretch = stretch;
             _isWatched = isWatched;
+            _loaded = loaded;
         }
 
-        /// <summary>The stretches of a body, one after another; watched ones tell which push is not finite.</summary>
-        public static Stretch<TIntegrator>[] Bind(BodyPlan plan, bool isWatched)
+        /// <summary>The stretches of a body, one after another.</summary>
+        /// <param name="plan">Says what acts in each.</param>
+        /// <param name="isWatched">True for those that tell which push is not finite.</param>
+        /// <param name="loaded">Whose load acts besides; null for stretches without.</param>
+        public static Stretch<TIntegrator>[] Bind(BodyPlan plan, bool isWatched, Mover loaded = null)
         {
             Stretch<TIntegrator>[] stretches = new Stretch<TIntegrator>[plan.Stretches.Count];
             for (int i = 0; i < stretches.Length; i++)
-                stretches[i] = new StretchBuilder<TIntegrator>(plan, plan.Stretches[i], isWatched).Bind(default(Nothing), 0);
+                stretches[i] = new StretchBuilder<TIntegrator>(plan, plan.Stretches[i], isWatched, loaded).Bind(default(Nothing), 0);
 
             return stretches;
         }
@@ -43,7 +48,7 @@ namespace RigidBodyDynamics
         {
             IReadOnlyList<PushEffect> pushes = _stretch.Pushes;
             if (next == pushes.Count)
-                return new Stretch<TIntegrator, TSum>(_stretch.End, _stretch.Coasting, sum);
+                return End(sum);
 
             if (CanCompile && next < MostTyped && !_isWatched)
                 return pushes[next].Join(sum, this, next + 1);
@@ -55,7 +60,12 @@ namespace RigidBodyDynamics
                 rest[i] = _isWatched ? new Watched(push, _plan.Body) : push.Push;
             }
 
-            return new Stretch<TIntegrator, Both<TSum, Many>>(_stretch.End, _stretch.Coasting, new Both<TSum, Many>(sum, new Many(rest)));
+            return End(new Both<TSum, Many>(sum, new Many(rest)));
         }
+
+        private Stretch<TIntegrator> End<TSum>(TSum sum) where TSum : struct, IPush => _loaded == null
+            ? new Stretch<TIntegrator, TSum>(_stretch.End, _stretch.Coasting, sum)
+            : (Stretch<TIntegrator>)new Stretch<TIntegrator, Both<TSum, Loaded>>(
+                _stretch.End, _stretch.Coasting, new Both<TSum, Loaded>(sum, new Loaded(_loaded)));
     }
 }

@@ -1,3 +1,4 @@
+using System;
 using System.Collections.Generic;
 
 namespace RigidBodyDynamics
@@ -14,6 +15,8 @@ namespace RigidBodyDynamics
         {
             First = first;
             End = end;
+            Starts = steps.StartOf(first);
+            Ends = end < steps.Count ? steps.StartOf(end) : double.PositiveInfinity;
             foreach (Effect effect in body.Effects)
             {
                 if (steps.FirstAt(effect.From) > first || steps.FirstAt(effect.To) <= first)
@@ -39,6 +42,12 @@ namespace RigidBodyDynamics
         /// <summary>The step after its last.</summary>
         public long End { get; }
 
+        /// <summary>When its first step starts, s.</summary>
+        public double Starts { get; }
+
+        /// <summary>When its last step ends, s; infinite where the body's time does.</summary>
+        public double Ends { get; }
+
         /// <summary>What acts in it.</summary>
         public IReadOnlyList<Effect> Effects => _effects;
 
@@ -60,14 +69,14 @@ namespace RigidBodyDynamics
             Does |= push.Push.Traits;
         }
 
-        /// <summary>Divides the time of a body where its effects begin and end.</summary>
-        internal static IReadOnlyList<StretchPlan> Divide(BodyDescription body, TimeSteps steps)
+        /// <summary>Divides the time of a body, from a step on, where its effects begin and end.</summary>
+        internal static IReadOnlyList<StretchPlan> Divide(BodyDescription body, TimeSteps steps, long first)
         {
-            SortedSet<long> cuts = new SortedSet<long> { 0, steps.Count };
+            SortedSet<long> cuts = new SortedSet<long> { first, steps.Count };
             foreach (Effect effect in body.Effects)
             {
-                cuts.Add(steps.FirstAt(effect.From));
-                cuts.Add(steps.FirstAt(effect.To));
+                cuts.Add(Math.Max(first, steps.FirstAt(effect.From)));
+                cuts.Add(Math.Max(first, steps.FirstAt(effect.To)));
             }
 
             long[] at = new long[cuts.Count];

@@ -13,13 +13,13 @@ namespace RigidBodyDynamics
         // a start this close to a moment, in steps, is at that moment: n × (1/60) may miss 1.5 by a rounding
         private const double Same = 1e-6;
 
-        private readonly double _length;
         private readonly double[] _lengths;
         private readonly double[] _starts, _rests;
+        private Grid _grid;
 
         private TimeSteps(double length, long count)
         {
-            _length = Possible(length);
+            _grid.Length = Possible(length);
             Count = count >= 1 ? count : throw Guard.Refused("steps", count, "must be at least 1");
         }
 
@@ -68,25 +68,25 @@ namespace RigidBodyDynamics
         public static TimeSteps Of(IReadOnlyList<double> lengths) => new TimeSteps(Guard.NotNull(lengths, nameof(lengths)));
 
         /// <summary>Length of a step, s.</summary>
-        public double Length(long step) => _lengths == null ? _length : _lengths[step];
+        public double Length(long step) => _lengths == null ? _grid.Length : _lengths[step];
 
         /// <summary>Time at which a step starts, s; that of step <see cref="Count"/> is the end.</summary>
-        public double StartOf(long step) => _starts == null ? step * _length : _starts[step];
+        public double StartOf(long step) => _starts == null ? _grid.Start + (step - _grid.Origin) * _grid.Length : _starts[step];
 
         /// <summary>Time from the start of a step to that of another, s, in twice the digits.</summary>
         internal DoubleDouble Between(long from, long to) => _starts == null
-            ? (DoubleDouble)_length * (to - from)
+            ? (DoubleDouble)_grid.Length * (to - from)
             : new DoubleDouble(_starts[to], _rests[to]) - new DoubleDouble(_starts[from], _rests[from]);
 
         /// <summary>The first step that starts at a time or after it; <see cref="Count"/> if none does.</summary>
         public long FirstAt(double time)
         {
-            if (!(time > 0))
-                return 0;
-
             if (_starts == null)
             {
-                double first = Math.Ceiling(time / _length - Same);
+                if (!(time > _grid.Start))
+                    return _grid.Origin;
+
+                double first = _grid.Origin + Math.Ceiling((time - _grid.Start) / _grid.Length - Same);
                 return first < Count ? (long)first : Count;
             }
 
@@ -103,9 +103,33 @@ namespace RigidBodyDynamics
             return low;
         }
 
-        private static double Possible(double length, int index = -1) =>
+        /// <summary>Whether a list gives their lengths.</summary>
+        internal bool AreListed => _lengths != null;
+
+        /// <summary>Where steps of one length begin. A simulation that takes a step of another moves it.</summary>
+        internal Grid Division { get => _grid; set => _grid = value; }
+
+        /// <summary>The same division, to be moved by itself.</summary>
+        internal TimeSteps Copy() => (TimeSteps)MemberwiseClone();
+
+        /// <summary>From a step on, all steps have another length; it starts when it would have.</summary>
+        internal void Turn(long step, double length)
+        {
+            RunningSum.Add(ref _grid.Start, ref _grid.StartLost, (step - _grid.Origin) * _grid.Length);
+            _grid.Origin = step;
+            _grid.Length = length;
+        }
+
+        internal static double Possible(double length, int index = -1) =>
             length > 0 && length <= Longest
                 ? length
                 : throw Guard.Refused(index < 0 ? "step" : "step[" + index + "]", length, "must be above zero and at most 1e9 s");
+
+        /// <summary>A step from which on all have one length, and when it starts.</summary>
+        internal struct Grid
+        {
+            public long Origin;
+            public double Start, StartLost, Length;
+        }
     }
 }

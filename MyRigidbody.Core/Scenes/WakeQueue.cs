@@ -1,63 +1,89 @@
+using System;
+
 namespace RigidBodyDynamics
 {
-    /// <summary>The dormant bodies that an effect will wake, the next of them first: a heap that allocates nothing.</summary>
+    /// <summary>
+    /// The dormant bodies that an effect will wake, the next of them first: a heap whose bodies know their places in it, so that
+    /// one which is pushed or removed before leaves it.
+    /// </summary>
     internal sealed class WakeQueue
     {
-        private readonly long[] _at;
-        private readonly Body[] _bodies;
+        private Entry[] _heap = Array.Empty<Entry>();
         private int _count;
 
-        public WakeQueue(int most)
-        {
-            _at = new long[most];
-            _bodies = new Body[most];
-        }
-
         /// <summary>When the next one wakes.</summary>
-        public long Next => _count > 0 ? _at[0] : long.MaxValue;
+        public long Next => _count > 0 ? _heap[0].At : long.MaxValue;
 
-        public void Clear() => _count = 0;
+        public void Clear()
+        {
+            while (_count > 0)
+                Remove(_heap[_count - 1].Body);
+        }
 
         public void Add(long at, Body body)
         {
-            int hole = _count++;
-            for (int above = (hole - 1) / 2; hole > 0 && at < _at[above]; above = (hole - 1) / 2)
-            {
-                Move(above, hole);
-                hole = above;
-            }
+            if (_count == _heap.Length)
+                Array.Resize(ref _heap, Math.Max(16, 2 * _count));
 
-            Set(hole, at, body);
+            Rise(_count++, new Entry { At = at, Body = body });
         }
 
         public Body Take()
         {
-            Body first = _bodies[0];
-            long at = _at[--_count];
-            Body last = _bodies[_count];
-            int hole = 0;
-            for (int below = 1; below < _count; below = 2 * hole + 1)
-            {
-                if (below + 1 < _count && _at[below + 1] < _at[below])
-                    below++;
-
-                if (_at[below] >= at)
-                    break;
-
-                Move(below, hole);
-                hole = below;
-            }
-
-            Set(hole, at, last);
+            Body first = _heap[0].Body;
+            Remove(first);
             return first;
         }
 
-        private void Move(int from, int to) => Set(to, _at[from], _bodies[from]);
-
-        private void Set(int place, long at, Body body)
+        /// <summary>Takes out a body; nothing happens where it is not in.</summary>
+        public void Remove(Body body)
         {
-            _at[place] = at;
-            _bodies[place] = body;
+            int hole = body.PlaceInQueue;
+            if (hole < 0)
+                return;
+
+            body.PlaceInQueue = -1;
+            Entry last = _heap[--_count];
+            _heap[_count] = default(Entry);
+            if (hole == _count)
+                return;
+
+            for (int below = 2 * hole + 1; below < _count; below = 2 * hole + 1)
+            {
+                if (below + 1 < _count && _heap[below + 1].At < _heap[below].At)
+                    below++;
+
+                if (_heap[below].At >= last.At)
+                    break;
+
+                Set(hole, _heap[below]);
+                hole = below;
+            }
+
+            Rise(hole, last);
+        }
+
+        private void Rise(int hole, Entry entry)
+        {
+            for (int above = (hole - 1) / 2; hole > 0 && entry.At < _heap[above].At; above = (hole - 1) / 2)
+            {
+                Set(hole, _heap[above]);
+                hole = above;
+            }
+
+            Set(hole, entry);
+        }
+
+        private void Set(int place, in Entry entry)
+        {
+            _heap[place] = entry;
+            entry.Body.PlaceInQueue = place;
+        }
+
+        private struct Entry
+        {
+            public long At;
+            public Body Body;
         }
     }
 }

@@ -85,7 +85,7 @@ public sealed class EffectsPageTests
         string[][] rows = [.. Between("<!-- effects -->", "<!-- end -->").Skip(2).Select(row => row.Split('|', StringSplitOptions.TrimEntries))];
         IEnumerable<string> structs = typeof(IPush).Assembly.GetTypes()
             .Where(type => type.IsValueType && (typeof(IPush).IsAssignableFrom(type) || typeof(ICoast).IsAssignableFrom(type)))
-            .Except([typeof(Nothing), typeof(Leap), typeof(Both<,>), typeof(Many)])
+            .Except([typeof(Nothing), typeof(Leap), typeof(Both<,>), typeof(Many), typeof(Loaded)])
             .Select(type => $"`{type.Name}`");
         string[] closed = [.. typeof(ICoast).Assembly.GetTypes().Where(type => type.IsValueType && typeof(ICoast).IsAssignableFrom(type)).Select(type => $"`{type.Name}`")];
         Dictionary<string, PushTraits> traits = Pushes.All().Select(test => (IPush)test.Arguments[0]!)

@@ -1,0 +1,79 @@
+namespace RigidBodyDynamics
+{
+    /// <summary>What a program pushes one body with during one step.</summary>
+    internal struct Load
+    {
+        /// <summary>The step in which it acts.</summary>
+        public long Step;
+
+        /// <summary>Force and torque at the centre of mass, N and N m; the torque's part in body axes turns with the body.</summary>
+        public Wrench Wrench;
+
+        /// <summary>Force in body axes at the centre of mass, N: it turns with the body.</summary>
+        public Vector3d BodyForce;
+
+        /// <summary>No load, in a step that never comes.</summary>
+        public static Load None => new Load { Step = -1 };
+
+        /// <summary>Force and torque of a push at a point, or their impulses (N s, N m s).</summary>
+        /// <param name="push">In the axes of the world or the body.</param>
+        /// <param name="arm">From the centre of mass to the point, m, in the same axes.</param>
+        /// <param name="inBody">True for body axes, false for those of the world.</param>
+        public static Load Of(Vector3d push, Vector3d arm, bool inBody)
+        {
+            Load load = default(Load);
+            Vector3d torque = Vector3d.Cross(arm, push);
+            if (!inBody)
+                load.Wrench = new Wrench { Force = push, Torque = torque };
+            else
+                load = new Load { BodyForce = push, Wrench = new Wrench { BodyTorque = torque } };
+
+            return load;
+        }
+
+        /// <summary>Adds another.</summary>
+        public void Add(in Load more)
+        {
+            Wrench.Force += more.Wrench.Force;
+            Wrench.Torque += more.Wrench.Torque;
+            Wrench.BodyTorque += more.Wrench.BodyTorque;
+            BodyForce += more.BodyForce;
+        }
+
+        /// <summary>What it needs of a body.</summary>
+        public Omissions Needs =>
+            (Wrench.Force.IsZero && BodyForce.IsZero ? Omissions.None : Omissions.Translation)
+            | (Wrench.Torque.IsZero && Wrench.BodyTorque.IsZero ? Omissions.None : Omissions.Rotation);
+
+        public bool IsFinite => Wrench.IsFinite && BodyForce.IsFinite;
+
+        /// <summary>The same with the force in world axes.</summary>
+        public Wrench At(Quaterniond orientation)
+        {
+            Wrench at = Wrench;
+            at.Force += orientation.Rotate(BodyForce);
+            return at;
+        }
+    }
+
+    /// <summary>A load as a push: the last of a sum, in the steps that have one.</summary>
+    internal readonly struct Loaded : IPush
+    {
+        private readonly Mover _mover;
+
+        public Loaded(Mover mover) => _mover = mover;
+
+        public PushTraits Traits =>
+            PushTraits.Moves | PushTraits.Turns | (_mover.Load.BodyForce.IsZero ? PushTraits.None : PushTraits.ReadsOrientation);
+
+        public void At(in Instant now, in BodyState body, MassProperties mass, ref Wrench wrench) => Over(now, 1, body, mass, ref wrench);
+
+        public void Over(in Instant now, double duration, in BodyState body, MassProperties mass, ref Wrench impulse)
+        {
+            Wrench load = _mover.Load.BodyForce.IsZero ? _mover.Load.Wrench : _mover.Load.At(body.Orientation);
+            impulse.Force += duration * load.Force;
+            impulse.Torque += duration * load.Torque;
+            impulse.BodyTorque += duration * load.BodyTorque;
+        }
+    }
+}

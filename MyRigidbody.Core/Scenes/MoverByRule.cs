@@ -1,0 +1,272 @@
+using System;
+
+namespace RigidBodyDynamics
+{
+    /// <summary>
+    /// Moves a body by one rule, with a stretch of time for every sum of effects that acts on it. Where the body coasts its state
+    /// follows the clock only when it is read.
+    /// </summary>
+    internal sealed partial class Mover<TIntegrator> : Mover where TIntegrator : struct, IIntegrator
+    {
+        // a copy costs as much as the shortest step; from one of a body that nothing pushes the way on is known
+        private const long StepsBetweenCopies = 1024;
+
+        private readonly Stretch<TIntegrator>[] _stretches;
+        private readonly Clock _clock;
+        private Stretch<TIntegrator>[] _loaded;
+        private Moment _now, _before;
+
+        public Mover(BodyPlan plan, Clock clock) : base(plan)
+        {
+            _clock = clock;
+            _stretches = StretchBuilder<TIntegrator>.Bind(plan, isWatched: false);
+            _now.Step = clock.Step;
+            _now.Motion.Start(new Beginning(plan.Body));
+            Settle(isPlace: true);
+            _before = _now;
+        }
+
+        public override BodyState State
+        {
+            get
+            {
+                CatchUp();
+                BodyState state = _now.Motion.State;
+                return state.HasFiniteSquares ? state : throw new StateOverflowException(Plan, Math.Max(0, _now.Step - 1));
+            }
+        }
+
+        public override bool IsAsleep => _now.Motion.IsAsleep;
+
+        public override bool IsDormant => _now.IsDormant;
+
+        public override long WakesAt => _stretches[_now.Stretch].End;
+
+        private bool IsLoaded => Load.Step == _now.Step;
+
+        public override long Advance(long end, ref Exception failure)
+        {
+            if (Plan.IsPushed || IsLoaded || Last != null || _now.Step - _before.Step >= StepsBetweenCopies)
+                _before = _now;
+
+            try
+            {
+                Run(_stretches, _loaded, end);
+                if (_now.Motion.IsFinite)
+                    return end;
+            }
+            catch (Exception)
+            {
+                // found again below, step by step
+            }
+
+            Return();
+            return Retrace(end, ref failure);
+        }
+
+        public override void GoBack()
+        {
+            Return();
+            if (_now.Step < _clock.Step)
+                Run(_stretches, _loaded, _clock.Step);
+        }
+
+        public override BodyState Between(double alpha) => Remember().At(alpha);
+
+        public override void Push(in Wrench impulse)
+        {
+            Arrive(mayCoast: true);
+            TIntegrator motion = _now.Motion;
+            motion.Push(impulse);
+            if (!motion.IsFinite)
+                throw Guard.Refused("impulse", impulse.Force.IsFinite && impulse.Force.LengthSquared > 0 ? impulse.Force : impulse.Torque, "must leave a finite velocity");
+
+            _now.Motion = motion;
+            Changed(mayCoast: true);
+        }
+
+        public override void Set(in BodyState state)
+        {
+            _now.Motion = default(TIntegrator);
+            _now.Motion.Start(new Beginning(Plan.Body, state));
+            _now.Step = _clock.Step;
+            Last?.Jump(_clock.Step, _now.Motion.State);
+            Forget();
+            Changed(mayCoast: true);
+        }
+
+        public override void Add(in Load load)
+        {
+            Arrive(mayCoast: true);
+            if (!IsLoaded)
+                Load = new Load { Step = _now.Step };
+
+            Load.Add(load);
+            _now.IsDormant = false;
+            _before = _now;
+            _loaded = _loaded ?? StretchBuilder<TIntegrator>.Bind(Plan, isWatched: false, loaded: this);
+        }
+
+        public override void Arrive(bool mayCoast)
+        {
+            CatchUp();
+            // what is drawn between the last two steps is what was before the change
+            if (Last != null)
+                Remember();
+
+            Changed(mayCoast);
+        }
+
+        public override object Save()
+        {
+            CatchUp();
+            return new Saved { Now = _now, Anchor = _stretches[_now.Stretch].Anchor, Load = Load, Last = Last == null ? null : Remember().Copy() };
+        }
+
+        public override void Restore(object saved)
+        {
+            Saved from = (Saved)saved;
+            Load = from.Load;
+            _before = from.Now;
+            Last = from.Last?.Copy();
+            Return();
+            _stretches[_now.Stretch].Anchor = from.Anchor;
+        }
+
+        private void Changed(bool mayCoast)
+        {
+            _now.IsDormant = false;
+            Settle(mayCoast);
+            _before = _now;
+        }
+
+        private void Return()
+        {
+            _now = _before;
+            Forget();
+        }
+
+        private void Forget()
+        {
+            foreach (Stretch<TIntegrator> stretch in _stretches)
+                stretch.Forget();
+        }
+
+        private void Run(Stretch<TIntegrator>[] stretches, Stretch<TIntegrator>[] loaded, long end)
+        {
+            while (_now.Step < end)
+            {
+                Stretch<TIntegrator> stretch = stretches[_now.Stretch];
+                bool isLoaded = IsLoaded;
+                long stop = isLoaded ? _now.Step + 1 : Math.Min(end, stretch.End);
+                if (_now.IsDormant && stop < stretch.End)
+                    return;
+
+                if (isLoaded)
+                    RunLoaded(stretch, loaded[_now.Stretch], stop);
+                else if (_now.IsDormant)
+                    _stretches[_now.Stretch].Coast(ref _now.Motion, _clock.Steps, _now.Anchored, _now.Step, stop);
+                else
+                    stretch.Run(ref _now.Motion, _clock.Steps, _now.Step, stop);
+
+                _now.Step = stop;
+                _now.IsDormant = false;
+                bool isNext = stop == stretch.End && _now.Stretch + 1 < stretches.Length;
+                if (isNext)
+                    _now.Stretch++;
+
+                Settle(isNext || isLoaded);
+            }
+        }
+
+        private void RunLoaded(Stretch<TIntegrator> stretch, Stretch<TIntegrator> loaded, long end)
+        {
+            loaded.PreparedFor = stretch.PreparedFor;
+            loaded.Run(ref _now.Motion, _clock.Steps, _now.Step, end);
+            stretch.PreparedFor = loaded.PreparedFor;
+        }
+
+        /// <summary>
+        /// Lets the body lie where nothing has to be computed until its state is read: from the start of a stretch, from a step in
+        /// which the program changed it, or asleep, but not wherever a call happens to end, or the bits would depend on the calls.
+        /// </summary>
+        private void Settle(bool isPlace)
+        {
+            Stretch<TIntegrator> stretch = _stretches[_now.Stretch];
+            if ((isPlace || _now.Motion.IsAsleep) && !IsLoaded && Plan.MayCoast && stretch.LetsCoast(ref _now.Motion, _clock.Steps, _now.Step))
+            {
+                _now.IsDormant = true;
+                _now.Anchored = _now.Step;
+                stretch.Anchor = _now.Motion;
+            }
+        }
+
+        private void CatchUp() => CatchUp(_clock.Step);
+
+        private void CatchUp(long step)
+        {
+            if (!_now.IsDormant || _now.Step >= step)
+                return;
+
+            _stretches[_now.Stretch].Coast(ref _now.Motion, _clock.Steps, _now.Anchored, _now.Step, step);
+            _now.Step = step;
+            if (_now.Motion.IsFinite)
+                return;
+
+            // back to where it began to coast, so that it is said again to whoever looks next
+            _now.Motion = _stretches[_now.Stretch].Anchor;
+            _now.Step = _now.Anchored;
+            throw new StateOverflowException(Plan, LastFinite(_now, step));
+        }
+
+        private LastStep Remember()
+        {
+            CatchUp();
+            long step = _clock.Step;
+            if (Last != null && Last.Step == step)
+                return Last;
+
+            LastStep<TIntegrator> last = Last as LastStep<TIntegrator> ?? new LastStep<TIntegrator>();
+            if (_now.IsDormant && _now.Anchored < step)
+                last.Coasted(step, _clock.LastLength, _now.Motion, _stretches[_now.Stretch]);
+            else if (_before.Step < step)
+                last.Went(step, _clock.LastLength, Before(step), _now.Motion.State, Plan.Body.Mass.CenterOfMass);
+            else
+                last.Jump(step, _now.Motion.State);
+
+            return Last = last;
+        }
+
+        /// <summary>The state before the last step, on the way there once more.</summary>
+        private BodyState Before(long step)
+        {
+            Moment now = _now;
+            TIntegrator anchor = _stretches[now.Stretch].Anchor;
+            Return();
+            Run(_stretches, _loaded, step - 1);
+            CatchUp(step - 1);
+            BodyState before = _now.Motion.State;
+            _now = now;
+            Forget();
+            _stretches[now.Stretch].Anchor = anchor;
+            return before;
+        }
+
+        /// <summary>All that changes in a body.</summary>
+        private struct Moment
+        {
+            public TIntegrator Motion;
+            public long Step, Anchored;
+            public int Stretch;
+            public bool IsDormant;
+        }
+
+        private sealed class Saved
+        {
+            public Moment Now;
+            public TIntegrator Anchor;
+            public Load Load;
+            public LastStep Last;
+        }
+    }
+}

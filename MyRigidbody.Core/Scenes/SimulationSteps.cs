@@ -1,0 +1,199 @@
+using System;
+using System.Collections.Generic;
+using System.Runtime.ExceptionServices;
+
+namespace RigidBodyDynamics
+{
+    /// <summary>How a simulation goes on in time.</summary>
+    public sealed partial class Simulation
+    {
+        private readonly List<Body> _stepped = new List<Body>();
+        private readonly WakeQueue _dormant = new WakeQueue();
+        private bool _haveLeft;
+        private double _rest;
+
+        /// <summary>The part of a step, 0 to 1, that <see cref="Advance"/> has kept for the next.</summary>
+        public double Alpha => Math.Max(0, Math.Min(1, _rest / _clock.Steps.Length(Math.Min(StepsDone, _clock.Steps.Count - 1))));
+
+        /// <summary>One step of all bodies. Allocates nothing.</summary>
+        public void Step() => Step(1);
+
+        /// <summary>A number of steps of all bodies; the same bits as that many single ones, and less overhead.</summary>
+        /// <exception cref="BrokenEffectException">
+        /// An effect gave a force that is not finite, or threw an exception. All bodies then stand before the step in which it did.
+        /// </exception>
+        /// <exception cref="StateOverflowException">
+        /// The step of a body did not lead to a finite state. All bodies then stand before it. A body that coasts is not looked
+        /// at: it says so when its state is asked for, or when an effect begins to act on it.
+        /// </exception>
+        /// <exception cref="InvalidOperationException">An effect stepped the simulation that it acts in, or another thread did.</exception>
+        public void Step(long count)
+        {
+            long left = _clock.Steps.Count - StepsDone;
+            if (count < 0 || count > left)
+                throw Guard.Refused(nameof(count), count, "must be from 0 to the " + left + " steps that the scene has left");
+
+            _turnstile.Enter("simulation", Scene.Name);
+            try
+            {
+                Run(StepsDone + count);
+            }
+            finally
+            {
+                _turnstile.Leave();
+            }
+        }
+
+        /// <summary>
+        /// One step of a length of its own (s), for those who step as often as they draw. Steps after it are as long as ever, and
+        /// effects begin and end with the first step that starts at their time or after it. It steps bodies that coast, too.
+        /// </summary>
+        /// <exception cref="InvalidOperationException">The steps of the simulation have lengths from a list.</exception>
+        public void StepBy(double duration)
+        {
+            TimeSteps.Possible(duration);
+            if (_clock.Steps.AreListed)
+                throw new InvalidOperationException("StepBy: the steps of this simulation have lengths from a list");
+
+            if (StepsDone == _clock.Steps.Count)
+                throw Guard.Refused(nameof(duration), duration, "must not be asked for: the scene has 0 steps left");
+
+            _turnstile.Enter("simulation", Scene.Name);
+            try
+            {
+                RunBy(duration);
+            }
+            finally
+            {
+                _turnstile.Leave();
+            }
+        }
+
+        /// <summary>
+        /// As many steps as have become due in a time (s), for instance since the last frame. What is left of it is kept for the
+        /// next call; <see cref="Alpha"/> is its part of a step, to be drawn with <see cref="Body.Between"/>.
+        /// </summary>
+        /// <returns>How many steps were taken.</returns>
+        public long Advance(double elapsed)
+        {
+            // a time this close to a step, in steps, is a step: 0.1 s are five steps of 0.02 s, whatever their sum rounds to
+            const double Same = 1e-9;
+            double rest = _rest + Guard.NotNegative(elapsed, nameof(elapsed));
+            long count = 0, left = _clock.Steps.Count - StepsDone;
+            for (double length; count < left && rest >= (1 - Same) * (length = _clock.Steps.Length(StepsDone + count)); count++)
+            {
+                long whole = _clock.Steps.AreListed ? 1 : (long)Math.Min(left - count, Math.Floor(rest / length + Same));
+                rest -= whole * length;
+                count += whole - 1;
+            }
+
+            Step(count);
+            _rest = rest;
+            return count;
+        }
+
+        private void RunBy(double duration)
+        {
+            TimeSteps.Grid grid = _clock.Steps.Division;
+            long step = StepsDone;
+            try
+            {
+                // a step of another length is no part of a way that goes by the number of its steps
+                foreach (Body body in _bodies)
+                {
+                    body.Mover.Arrive(mayCoast: false);
+                    Sort(body);
+                }
+
+                _clock.Steps.Turn(step, duration);
+                Run(step + 1);
+                _clock.Steps.Turn(step + 1, grid.Length);
+            }
+            finally
+            {
+                if (StepsDone == step)
+                    _clock.Steps.Division = grid;
+
+                foreach (Body body in _bodies)
+                    GoOn(body);
+            }
+        }
+
+        /// <summary>Effects begin and end by the number of a step, and steps start at other times now.</summary>
+        private void GoOn(Body body)
+        {
+            if (body.Plan.Stretches.Count > 1)
+                Plan(body, body.Plan.Asked, body.State, body.Plan.MayLeaveOut);
+            else
+                body.Mover.Arrive(mayCoast: true);
+
+            Sort(body);
+        }
+
+        private void Run(long end)
+        {
+            if (_haveLeft)
+                LayDown();
+
+            while (_dormant.Next < end)
+                Join(_dormant.Take());
+
+            Exception failure = null;
+            for (int i = 0; i < _stepped.Count; i++)
+            {
+                long reached = _stepped[i].Mover.Advance(end, ref failure);
+                if (reached == end)
+                    continue;
+
+                // where one cannot go on, all go back and come as far as that one came
+                end = reached;
+                for (; i >= 0; i--)
+                    _stepped[i].Mover.GoBack();
+            }
+
+            if (end > _clock.Step)
+                _clock.LastLength = _clock.Steps.Length(end - 1);
+
+            _clock.Step = end;
+            LayDown();
+            if (failure != null)
+                ExceptionDispatchInfo.Capture(failure).Throw();
+        }
+
+        /// <summary>Puts a body that was changed among those that are stepped, or those that an effect will wake.</summary>
+        internal void Sort(Body body)
+        {
+            _dormant.Remove(body);
+            if (!body.Mover.IsDormant)
+                Join(body);
+            else if (!body.IsStepped && body.Mover.WakesAt < _clock.Steps.Count)
+                _dormant.Add(body.Mover.WakesAt, body);
+        }
+
+        private void Join(Body body)
+        {
+            if (!body.IsStepped)
+                _stepped.Add(body);
+
+            body.IsStepped = true;
+        }
+
+        private void LayDown()
+        {
+            _haveLeft = false;
+            int kept = 0;
+            for (int i = 0; i < _stepped.Count; i++)
+            {
+                Body body = _stepped[i];
+                body.IsStepped = !body.IsRemoved && !body.Mover.IsDormant;
+                if (body.IsStepped)
+                    _stepped[kept++] = body;
+                else if (!body.IsRemoved)
+                    Sort(body);
+            }
+
+            if (kept < _stepped.Count)
+                _stepped.RemoveRange(kept, _stepped.Count - kept);
+        }
+    }
+}
