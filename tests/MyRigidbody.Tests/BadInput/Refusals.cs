@@ -127,7 +127,6 @@ internal static class Refusals
         Case("order", "0", () => Rules.Of<LabEuler>(order: 0)),
         Case("name", "", () => Rules.Of<LabEuler>(string.Empty)),
         Case("name", "", () => new BodyDescription(string.Empty, Ball)),
-        Case("bodies", "0", () => new Simulation(TimeSteps.Every(1))),
         Case("bodies[1].name", "b", () => new Simulation(TimeSteps.Every(1), Body(), Body())),
         Case("count", "6", () => new Simulation(TimeSteps.Every(1, 5), Body()).Step(6)),
         Case("count", "-1", () => new Simulation(TimeSteps.Every(1, 5), Body()).Step(-1)),
