@@ -14,25 +14,22 @@ namespace RigidBodyDynamics
     /// </remarks>
     public sealed class Batch
     {
-        // enough for a thread to be worth waking, few enough to stay in its cache
-        private const int BodiesOfPart = 1024;
         private const int MostThreads = 1024;
 
-        // to look whether all bodies still have states takes twice as long as the shortest step
-        internal const long StepsBetweenLooks = 64;
+        // to keep all bodies takes about as long as to look at them
+        private const long StepsBetweenCopies = 16 * Parts.StepsBetweenLooks;
 
         private readonly BodyPlan _plan;
         private readonly BodyDescription _like;
         private readonly Crowd _crowd;
         private readonly Coasters _coasters;
         private readonly Places _places = new Places();
-        private readonly Team<Stepper> _team;
-        private readonly Losses _losses;
+        private readonly Parts _parts;
+        private readonly Retrace _retrace;
         private readonly bool[] _coasts;
+        private readonly bool _isSteered;
         private int _stretch, _capacity = 16;
-        private Task _task;
-        private long _stop;
-        private Memory<BodyState> _states;
+        private bool _isSuspect;
         private Turnstile _turnstile;
 
         /// <summary>No bodies yet, of one kind.</summary>
@@ -47,8 +44,8 @@ namespace RigidBodyDynamics
             _like = _plan.Body;
             _crowd = Crowds.Choose(_plan);
             _coasters = new Coasters(_crowd, steps);
-            _losses = new Losses(_plan, _crowd);
             _coasts = new bool[_plan.Stretches.Count];
+            _retrace = new Retrace(_plan, _crowd, _coasters, _places, _coasts);
             Reserve(_capacity);
             _like.Start = BodyState.AtRest;
             _crowd.Start(0, _like);
@@ -57,10 +54,11 @@ namespace RigidBodyDynamics
                 StretchPlan stretch = _plan.Stretches[i];
                 bool isPushed = (stretch.Does & (PushTraits.Moves | PushTraits.Turns)) != 0;
                 _coasts[i] = _plan.MayCoast && !isPushed && _crowd.HasClosedForm(0, stretch.Coasting);
+                foreach (PushEffect effect in stretch.Pushes)
+                    _isSteered |= effect.Push is IInput;
             }
 
-            Reserve(_capacity);
-            _team = new Team<Stepper>(() => _crowd.NewStepper(_plan), Work);
+            _parts = new Parts(_plan, _crowd, _coasters, _retrace, _places);
             Threads = Environment.ProcessorCount;
             Begin();
         }
@@ -80,13 +78,13 @@ namespace RigidBodyDynamics
         /// <summary>How many threads may step at a time, from 1 to 1024; the result is the same for any number.</summary>
         public int Threads
         {
-            get => _team.Threads;
+            get => _parts.Threads;
             set
             {
                 if (value < 1 || value > MostThreads)
                     throw Guard.Refused(nameof(Threads), value, "must be from 1 to " + MostThreads);
 
-                _team.Threads = value;
+                _parts.Threads = value;
             }
         }
 
@@ -99,7 +97,14 @@ namespace RigidBodyDynamics
                 int place = _places.Of(id);
                 Follow(place);
                 BodyState state = _crowd.StateOf(place);
-                return state.HasFiniteSquares ? state : throw new StateOverflowException(_plan, Math.Max(0, StepsDone - 1), id);
+                if (state.HasFiniteSquares)
+                    return state;
+
+                long end = StepsDone;
+                int first = place - place % _crowd.Width;
+                Exception lost = _retrace.Find(_parts.Own, place, ref end);
+                _retrace.Go(_parts.Own, first, first + _crowd.Width, StepsDone);
+                throw lost ?? new StateOverflowException(_plan, Math.Max(0, StepsDone - 1), id);
             }
         }
 
@@ -118,7 +123,7 @@ namespace RigidBodyDynamics
         public int Add(in BodyState start, Vector3d angularVelocityInBody)
         {
             _like.Start = start;
-            _like.AngularVelocityInBody = angularVelocityInBody;
+            _like.AngularVelocityInBody = Guard.Finite(angularVelocityInBody, nameof(angularVelocityInBody));
             return Add();
         }
 
@@ -133,6 +138,7 @@ namespace RigidBodyDynamics
                 Follow(place);
 
             _crowd.Start(place, _like);
+            _retrace.Keep(place, place + 1, StepsDone);
             if (_coasts[_stretch])
                 _coasters.Enter(place, place + 1, StepsDone);
 
@@ -147,6 +153,7 @@ namespace RigidBodyDynamics
             Follow(place);
             Follow(last);
             _crowd.Move(last, place);
+            _retrace.Move(last, place);
             _coasters.Move(last, place, StepsDone);
 
             _places.Remove(id);
@@ -154,28 +161,34 @@ namespace RigidBodyDynamics
 
         /// <summary>Writes the state of every body to where its number says; what no body has for its number stays as it is.</summary>
         /// <param name="states">At least <see cref="EndOfIds"/> of them.</param>
-        /// <exception cref="StateOverflowException">A body that coasted has run away since somebody looked.</exception>
+        /// <exception cref="StateOverflowException">A body has run away since somebody looked: it is named, with the step.</exception>
         public void Read(Memory<BodyState> states)
         {
             if (states.Length < EndOfIds)
                 throw Guard.Refused(nameof(states), states.Length, "must have room for " + EndOfIds + " states");
 
-            _states = states;
-            _losses.Forget();
-            Do(Task.Read, StepsDone);
-            _states = default(Memory<BodyState>);
-            if (_losses.Any)
-                throw _losses.Found(_places);
+            _parts.Read(StepsDone, states);
+            if (!_parts.AnyFailed)
+                return;
+
+            long step = StepsDone;
+            Exception lost = _parts.FindLost(ref step);
+            _parts.GoBack(StepsDone);
+            throw lost ?? new StateOverflowException(_plan, Math.Max(0, StepsDone - 1), _places.IdAt(_crowd.FirstLost(0, Count)));
         }
 
         /// <summary>A number of steps of all bodies; the same bits as that many single ones.</summary>
-        /// <remarks>An exception out of an effect comes out here; the bodies are then not all at the same step.</remarks>
-        /// <exception cref="StateOverflowException">
-        /// A body has run away: it is named. That is looked for after every 64th step, after a call of at least so many, and
-        /// when a state is read. The others have done all the steps, and go on once it is removed.
-        /// </exception>
-        /// <exception cref="BrokenEffectException">An effect that reads nothing but the time gave a force that is not finite.</exception>
-        /// <exception cref="InvalidOperationException">An effect stepped the batch, or another thread did.</exception>
+        /// <remarks>
+        /// Bodies are looked at after every 64th step, after a call of at least so many, and when they are read; so it may be
+        /// a later call that finds one lost. It is the step and the body that are named, as a <see cref="Simulation"/> would, and
+        /// all bodies go back to before that step, or to where the call began if that is later. For that each is kept once more, as it
+        /// was at most 1024 steps before, and effects are asked again about those steps: they are functions of time and state. What a
+        /// program changes between steps belongs into a <see cref="Hand"/> or a <see cref="Keyboard"/>; with one, all bodies are looked
+        /// at and kept in every call.
+        /// </remarks>
+        /// <exception cref="StateOverflowException">The step of a body did not lead to a finite state. The others can go on once it is removed.</exception>
+        /// <exception cref="BrokenEffectException">An effect gave a force that is not finite, or threw an exception.</exception>
+        /// <exception cref="InvalidOperationException">Another thread steps the batch.</exception>
         public void Step(long count = 1)
         {
             long left = _plan.Steps.Count - StepsDone;
@@ -195,41 +208,76 @@ namespace RigidBodyDynamics
 
         private void Advance(long end)
         {
-            _losses.Forget();
+            long began = StepsDone;
+            if (_isSteered && !_coasts[_stretch])
+                _parts.Keep(began);
+
             while (StepsDone < end)
             {
+                bool coasts = _coasts[_stretch];
                 long endOfStretch = _plan.Stretches[_stretch].End, stop = Math.Min(end, endOfStretch);
-                if (!_coasts[_stretch])
-                    Do(Task.Step, stop);
-                else if (stop == endOfStretch)
-                    Do(Task.Follow, stop);
+                bool isNext = stop == endOfStretch && _stretch + 1 < _coasts.Length;
+                if (coasts && stop == endOfStretch)
+                    _parts.Follow(stop);
 
+                if (!coasts)
+                {
+                    stop = Math.Min(stop, (StepsDone / StepsBetweenCopies + 1) * StepsBetweenCopies);
+                    isNext &= stop == endOfStretch;
+                    _parts.Step(StepsDone, stop, looksAtStop: _isSuspect || _isSteered || (isNext && _coasts[_stretch + 1]));
+                }
+
+                if (_parts.AnyFailed)
+                    GoBack(began, stop);
+
+                _isSuspect = false;
                 StepsDone = stop;
-                if (stop == endOfStretch && _stretch + 1 < _coasts.Length)
+                if (isNext)
                 {
                     _stretch++;
                     Begin();
                 }
-            }
 
-            if (_losses.Any)
-                throw _losses.Found(_places);
+                if (!coasts && !_coasts[_stretch] && stop % StepsBetweenCopies == 0)
+                    _parts.Keep(stop);
+            }
+        }
+
+        /// <summary>Where a body could not go on, all go back to before that step, or to where the call began.</summary>
+        private void GoBack(long began, long stop)
+        {
+            long step = stop;
+            Exception failure = _parts.FindLost(ref step);
+            long back = failure == null ? stop : Math.Max(began, step);
+            _parts.GoBack(back);
+            if (failure == null)
+                return;
+
+            StepsDone = back;
+            _stretch = _retrace.StretchOf(back);
+            _parts.Begin(_stretch, _coasts[_stretch]);
+            _crowd.Forget(0, _capacity);
+            _isSuspect = true;
+            throw failure;
         }
 
         private void Begin()
         {
-            _crowd.Forget();
-            if (!_coasts[_stretch])
-                return;
+            _crowd.Forget(0, _capacity);
+            bool coasts = _coasts[_stretch], coasted = _stretch > 0 && _coasts[_stretch - 1];
+            _parts.Begin(_stretch, coasts);
+            if (coasts)
+                _coasters.Begin(_stretch, _plan.Stretches[_stretch].Coasting);
 
-            _coasters.Begin(_stretch, _plan.Stretches[_stretch].Coasting);
-            Do(Task.Enter, StepsDone);
+            if (coasts || coasted)
+                _parts.Keep(StepsDone);
         }
 
         private void Reserve(int capacity)
         {
-            _crowd.Reserve(capacity, Array.IndexOf(_coasts, true) >= 0);
+            _crowd.Reserve(capacity);
             _coasters.Reserve(capacity);
+            _retrace.Reserve(capacity);
             _places.Reserve(capacity);
             _capacity = capacity;
         }
@@ -241,55 +289,7 @@ namespace RigidBodyDynamics
                 return;
 
             int first = place - place % _crowd.Width;
-            _coasters.Follow(_team.Own, first, first + _crowd.Width, StepsDone);
-        }
-
-        private void Do(Task task, long stop)
-        {
-            _task = task;
-            _stop = stop;
-            _team.Do((Count + BodiesOfPart - 1) / BodiesOfPart);
-        }
-
-        private void Work(Stepper stepper, int part)
-        {
-            int from = part * BodiesOfPart, to = Math.Min(Count, from + BodiesOfPart);
-            int whole = (to + _crowd.Width - 1) / _crowd.Width * _crowd.Width;
-            if (_task == Task.Step)
-                Step(stepper, from, to, whole);
-            else if (_task == Task.Enter)
-                _coasters.Enter(from, to, _stop);
-            else if (_coasts[_stretch])
-                _coasters.Follow(stepper, from, whole, _stop);
-
-            if (_task == Task.Follow || _task == Task.Read)
-                _losses.Look(from, to, Math.Max(0, _stop - 1));
-
-            if (_task != Task.Read)
-                return;
-
-            Span<BodyState> states = _states.Span;
-            for (int i = from; i < to; i++)
-                states[_places.IdAt(i)] = _crowd.StateOf(i);
-        }
-
-        private void Step(Stepper stepper, int from, int to, int whole)
-        {
-            for (long first = StepsDone, next; first < _stop; first = next)
-            {
-                next = first + Math.Min(_stop - first, StepsBetweenLooks - first % StepsBetweenLooks);
-                stepper.Run(_stretch, from, whole, first, next);
-                if (next % StepsBetweenLooks == 0 || next - StepsDone >= StepsBetweenLooks)
-                    _losses.Look(from, to, next - 1);
-            }
-        }
-
-        private enum Task
-        {
-            Step,
-            Enter,
-            Follow,
-            Read,
+            _coasters.Follow(_parts.Own, first, first + _crowd.Width, StepsDone);
         }
     }
 }

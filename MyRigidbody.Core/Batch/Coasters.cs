@@ -43,10 +43,11 @@ namespace RigidBodyDynamics
             _coasting = coasting;
         }
 
-        /// <summary>Lets bodies coast from a step on. Those with whom they share a group have been followed to it.</summary>
+        /// <summary>
+        /// Lets bodies coast from a step on, at which they have been kept. Those with whom they share a group have been followed to it.
+        /// </summary>
         public void Enter(int from, int to, long step)
         {
-            _crowd.Keep(from, to);
             for (int i = from; i < to; i++)
                 _anchored[i] = _crowd.HasClosedForm(i, _coasting) ? step : Never;
 
@@ -61,6 +62,13 @@ namespace RigidBodyDynamics
             _anchored[from] = Nobody;
             Settle(to / _width, step);
             Settle(from / _width, step);
+        }
+
+        /// <summary>Bodies, in whole groups, have been brought back to a step.</summary>
+        public void Put(int from, int to, long step)
+        {
+            for (int group = from / _width; group < to / _width; group++)
+                Settle(group, step);
         }
 
         /// <summary>Follows bodies, in whole groups, to a step.</summary>
@@ -128,9 +136,9 @@ namespace RigidBodyDynamics
             Settle(group, step);
         }
 
-        /// <summary>The last closed form up to a step, or where the body is, if that is later.</summary>
+        /// <summary>The last closed form up to a step, or where the body is, if that is later or the body not yet there.</summary>
         private static long LastForm(long anchored, long at, long step) =>
-            anchored == Never || anchored == Nobody
+            anchored == Never || anchored == Nobody || anchored > step
                 ? at
                 : Math.Max(at, anchored + (step - anchored) / Coasting.StepsBetweenClosedForms * Coasting.StepsBetweenClosedForms);
 

@@ -1,4 +1,6 @@
 #if NET
+using System;
+
 namespace RigidBodyDynamics
 {
     /// <summary>Bodies side by side that differ in their states alone, each in a place; and how they are stored.</summary>
@@ -8,7 +10,7 @@ namespace RigidBodyDynamics
         public abstract int Width { get; }
 
         /// <summary>Makes room for a number of bodies, a power of two, and for what is kept of them.</summary>
-        public abstract void Reserve(int capacity, bool isKept);
+        public abstract void Reserve(int capacity);
 
         /// <summary>Puts a body in a place.</summary>
         public abstract void Start(int place, BodyDescription body);
@@ -25,7 +27,7 @@ namespace RigidBodyDynamics
         public virtual bool IsAsleep(int place) => false;
 
         /// <summary>Another stretch begins: nothing is prepared for it.</summary>
-        public abstract void Forget();
+        public abstract void Forget(int from, int to);
 
         /// <summary>True if, in a stretch that does not push, the body's rule knows where it will be at any time.</summary>
         public abstract bool HasClosedForm(int place, in Coasting coasting);
@@ -33,11 +35,36 @@ namespace RigidBodyDynamics
         /// <summary>Keeps the states as they are now.</summary>
         public abstract void Keep(int from, int to);
 
+        /// <summary>Makes the states again those that were kept.</summary>
+        public abstract void Return(int from, int to);
+
         /// <summary>Makes of the states that were kept those a time (s) later, each in one step.</summary>
         public abstract void Leap(int from, int to, DoubleDouble time, in Coasting coasting);
 
+        /// <summary>What keeps a body from making a step, tried with every push watched; null if nothing does.</summary>
+        /// <param name="plan">What the bodies do.</param>
+        /// <param name="stretch">The stretch of the step.</param>
+        /// <param name="place">Where the body is, which stands before the step.</param>
+        /// <param name="number">Its number.</param>
+        /// <param name="step">The step.</param>
+        public abstract Exception Blame(BodyPlan plan, int stretch, int place, int number, long step);
+
         /// <summary>What one thread needs to step parts of the crowd.</summary>
         public abstract Stepper NewStepper(BodyPlan plan);
+
+        protected static Exception Blame<TIntegrator>(BodyPlan plan, int stretch, TIntegrator body, int number, long step)
+            where TIntegrator : struct, IIntegrator
+        {
+            try
+            {
+                StretchBuilder<TIntegrator>.Watched(plan, stretch).Run(ref body, plan.Steps, step, step + 1);
+                return body.IsFinite ? null : new StateOverflowException(plan, step, number);
+            }
+            catch (BrokenEffectException broken)
+            {
+                return new BrokenEffectException(broken, number);
+            }
+        }
     }
 
     /// <summary>Steps parts of a crowd, one part at a time.</summary>

@@ -1,4 +1,5 @@
 #if NET
+using System;
 using System.Collections.Generic;
 using Lanes = System.Numerics.Vector<double>;
 
@@ -36,11 +37,10 @@ namespace RigidBodyDynamics
 
         public override int Width => Lanes.Count;
 
-        public override void Reserve(int capacity, bool isKept)
+        public override void Reserve(int capacity)
         {
             _now.Reserve(capacity);
-            if (isKept)
-                _kept.Reserve(capacity);
+            _kept.Reserve(capacity);
         }
 
         public override void Start(int place, BodyDescription body)
@@ -53,8 +53,7 @@ namespace RigidBodyDynamics
         public override void Move(int from, int to)
         {
             _now.Move(from, to);
-            if (_kept.Rows > 0)
-                _kept.Move(from, to);
+            _kept.Move(from, to);
         }
 
         public override BodyState StateOf(int place) => One(place, isAll: false).State;
@@ -78,7 +77,7 @@ namespace RigidBodyDynamics
         }
 
         // what a body is prepared for is said in its own columns
-        public override void Forget() { }
+        public override void Forget(int from, int to) { }
 
         public override bool HasClosedForm(int place, in Coasting coasting)
         {
@@ -89,12 +88,14 @@ namespace RigidBodyDynamics
 
         public override void Keep(int from, int to) => _now.CopyTo(_kept, from, to);
 
+        public override void Return(int from, int to) => _kept.CopyTo(_now, from, to);
+
         public override void Leap(int from, int to, DoubleDouble time, in Coasting coasting)
         {
             Leap leap = default(Leap);
             Coasting over = coasting;
             over.Rest = time.Low;
-            _kept.CopyTo(_now, from, to);
+            Return(from, to);
             for (int i = from; i < to; i++)
             {
                 TBody one = One(i, isAll: true);
@@ -103,6 +104,9 @@ namespace RigidBodyDynamics
                 Carry(ref one, _now.Row(i, isOut: true), isAll: true);
             }
         }
+
+        public override Exception Blame(BodyPlan plan, int stretch, int place, int number, long step) =>
+            Blame(plan, stretch, One(place, isAll: true), number, step);
 
         public override Stepper NewStepper(BodyPlan plan) => new Stepper<TLanes>(plan, _lanes);
 

@@ -11,10 +11,10 @@ namespace RigidBodyDynamics
 
         public override int Width => 1;
 
-        public override void Reserve(int capacity, bool isKept)
+        public override void Reserve(int capacity)
         {
             Array.Resize(ref _now, capacity);
-            Array.Resize(ref _kept, isKept ? capacity : 0);
+            Array.Resize(ref _kept, capacity);
             Array.Resize(ref _preparedFor, capacity);
         }
 
@@ -28,9 +28,7 @@ namespace RigidBodyDynamics
         public override void Move(int from, int to)
         {
             _now[to] = _now[from];
-            if (_kept.Length > 0)
-                _kept[to] = _kept[from];
-
+            _kept[to] = _kept[from];
             _preparedFor[to] = _preparedFor[from];
         }
 
@@ -49,7 +47,7 @@ namespace RigidBodyDynamics
 
         public override bool IsAsleep(int place) => _now[place].IsAsleep;
 
-        public override void Forget() => Array.Clear(_preparedFor, 0, _preparedFor.Length);
+        public override void Forget(int from, int to) => Array.Clear(_preparedFor, from, to - from);
 
         public override bool HasClosedForm(int place, in Coasting coasting)
         {
@@ -61,19 +59,27 @@ namespace RigidBodyDynamics
 
         public override void Keep(int from, int to) => Array.Copy(_now, from, _kept, from, to - from);
 
+        public override void Return(int from, int to)
+        {
+            Array.Copy(_kept, from, _now, from, to - from);
+            Forget(from, to);
+        }
+
         public override void Leap(int from, int to, DoubleDouble time, in Coasting coasting)
         {
             Leap leap = default(Leap);
             Coasting over = coasting;
             over.Rest = time.Low;
+            Return(from, to);
             for (int i = from; i < to; i++)
             {
-                _now[i] = _kept[i];
                 _now[i].Prepare(time.High, over);
                 _now[i].Step(new Instant(0, 0), ref leap);
-                _preparedFor[i] = 0;
             }
         }
+
+        public override Exception Blame(BodyPlan plan, int stretch, int place, int number, long step) =>
+            Blame(plan, stretch, _now[place], number, step);
 
         public override Stepper NewStepper(BodyPlan plan) => new Stepper<EachInTurn>(plan, new EachInTurn(this));
 

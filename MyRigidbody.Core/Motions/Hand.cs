@@ -14,7 +14,7 @@ namespace RigidBodyDynamics
     }
 
     /// <summary>The effect of a <see cref="Hand"/>: <c>body.With(new HeldBy(hand))</c>.</summary>
-    public readonly struct HeldBy : IPush
+    public readonly struct HeldBy : IInput
     {
         private readonly Hand _hand;
 
@@ -39,4 +39,7 @@ namespace RigidBodyDynamics
         /// <summary>In words.</summary>
         public override string ToString() => "what the program pushes with";
     }
+
+    /// <summary>A push that a program may change between one call and the next.</summary>
+    internal interface IInput : IPush { }
 }

@@ -19,7 +19,7 @@ namespace RigidBodyDynamics
     }
 
     /// <summary>The effect of a <see cref="Keyboard"/>: <c>body.With(new HeldKeys(keyboard))</c>.</summary>
-    public readonly struct HeldKeys : IPush
+    public readonly struct HeldKeys : IInput
     {
         internal const int Count = (int)LabKey.R + 1;
         private static readonly Key[] Keys = MakeKeys();

@@ -5,22 +5,42 @@ namespace RigidBodyDynamics
 {
     /// <summary>
     /// An effect gave a force or torque that is not finite, or threw an exception (<see cref="Exception.InnerException"/>).
-    /// The simulation stands before the step in which it did.
+    /// All bodies stand before the step in which it did.
     /// </summary>
     public sealed class BrokenEffectException : ArithmeticException
     {
+        private readonly string _where;
+
         internal BrokenEffectException(BodyDescription body, PushEffect effect, in Instant now, Exception thrown)
             : base(Guard.OneLine("body \"" + body.Name + "\": effects[" + body.IndexOf(effect) + "]: " + Why(effect, now, thrown)), thrown)
         {
+            _where = "effects[" + body.IndexOf(effect) + "]: ";
             Body = body.Name;
+            Number = -1;
             Effect = effect.Push;
             Entry = effect;
             Time = now.Time;
             Reason = Why(effect, now, thrown);
         }
 
+        /// <summary>The same of a body that is in a batch.</summary>
+        internal BrokenEffectException(BrokenEffectException broken, int number)
+            : base(Guard.OneLine("body \"" + broken.Body + "\" " + number.ToString(CultureInfo.InvariantCulture) + ": " + broken._where + broken.Reason), broken.InnerException)
+        {
+            _where = broken._where;
+            Body = broken.Body;
+            Number = number;
+            Effect = broken.Effect;
+            Entry = broken.Entry;
+            Time = broken.Time;
+            Reason = broken.Reason;
+        }
+
         /// <summary>Name of the body.</summary>
         public string Body { get; }
+
+        /// <summary>Its number in a batch; −1 where it is not in one.</summary>
+        public int Number { get; }
 
         /// <summary>The effect.</summary>
         public object Effect { get; }

@@ -6,7 +6,7 @@ namespace RigidBodyDynamics
 {
     /// <summary>
     /// A rule has run away: after a step a number of a body's state, or the square of a velocity, does not fit double precision.
-    /// The bodies of a <see cref="Simulation"/> stand before that step.
+    /// All bodies of the <see cref="Simulation"/> stand before that step; those of a batch, before that step or where the call began.
     /// </summary>
     public sealed class StateOverflowException : ArithmeticException
     {

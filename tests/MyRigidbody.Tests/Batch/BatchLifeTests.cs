@@ -170,6 +170,8 @@ public sealed class BatchLifeTests
     {
         Batch batch = new(new BodyDescription("body", Crowding.Masses.First()) { CanMove = false }, TimeSteps.Every(0.1, 10));
         batch.Add(BodyState.AtRest);
+        int gone = batch.Add(BodyState.AtRest);
+        batch.Remove(gone);
         batch.Step(3);
         BodyState moving = BodyState.AtRest, nowhere = BodyState.AtRest;
         moving.Velocity = new Vector3d(1, 0, 0);
@@ -180,26 +182,23 @@ public sealed class BatchLifeTests
         Refused(() => _ = batch[1], "id", 1);
         Refused(() => _ = batch[-1], "id", -1);
         Refused(() => batch.Remove(7), "id", 7);
+        Refused(() => batch.Remove(gone), "id", gone);
+        Refused(() => _ = batch[gone], "id", gone);
+        Refused(() => batch.IsAsleep(int.MaxValue), "id", int.MaxValue);
+        Refused(() => batch.Read(new BodyState[1]), "states", 1);
+        Refused(() => batch.Add(default), "orientation", default(Quaterniond));
+        Refused(() => batch.Add(BodyState.AtRest, new Vector3d(double.NaN, 0, 0)), "angularVelocityInBody", new Vector3d(double.NaN, 0, 0));
         Refused(() => batch.Read(Memory<BodyState>.Empty), "states", 0);
         Refused(() => batch.Add(moving), "velocity", moving.Velocity);
         Refused(() => batch.Add(nowhere), "position", nowhere.Position);
         Assert.That(() => new Batch(null!, Steps), Throws.ArgumentNullException.With.Property("ParamName").EqualTo("body"));
         Assert.That(() => new Batch(new BodyDescription("body", Crowding.Masses.First()), null!), Throws.ArgumentNullException.With.Property("ParamName").EqualTo("steps"));
-        Assert.That((batch.Count, batch.StepsDone, batch.Time), Is.EqualTo((1, 3L, 3 * 0.1)));
+        Assert.That(() => batch[gone], Throws.Exception.With.Message.EqualTo("id: must be the number of a body that is there, found 1"));
+        Assert.That((batch.Count, batch.EndOfIds, batch.StepsDone, batch.Time, batch[0]), Is.EqualTo((1, 2, 3L, 3 * 0.1, BodyState.AtRest)));
+        Assert.That(batch.Add(BodyState.AtRest), Is.EqualTo(gone));
 
         static void Refused(Action act, string name, object value) => Assert.That(
             act, Throws.InstanceOf<ArgumentOutOfRangeException>().With.Property("ParamName").EqualTo(name).And.Property("ActualValue").EqualTo(value));
-    }
-
-    [TestCase(1)]
-    [TestCase(3)]
-    public void What_an_effect_throws_comes_out(int threads)
-    {
-        Batch batch = new(new BodyDescription("body", Crowding.Masses.First()).With(new Broken()), Steps) { Threads = threads };
-        foreach (BodyState start in Crowding.Starts(4000, 1, new BodyDescription("body", Crowding.Masses.First())))
-            batch.Add(start);
-        Assert.That(() => batch.Step(), Throws.InstanceOf<NotFiniteNumberException>());
-        Assert.That(batch.StepsDone, Is.Zero);
     }
 
     private static BodyDescription Alone(BodyDescription body, BodyState start)
@@ -207,14 +206,5 @@ public sealed class BatchLifeTests
         BodyDescription alone = body.Copy("alone", body.Mass);
         alone.Start = start;
         return alone;
-    }
-
-    private readonly struct Broken : IPush
-    {
-        public PushTraits Traits => PushTraits.Moves;
-
-        public void At(in Instant now, in BodyState body, MassProperties mass, ref Wrench wrench) => throw new NotFiniteNumberException();
-
-        public void Over(in Instant now, double duration, in BodyState body, MassProperties mass, ref Wrench impulse) => throw new NotFiniteNumberException();
     }
 }

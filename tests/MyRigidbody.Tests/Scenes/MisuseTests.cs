@@ -66,7 +66,10 @@ public sealed class MisuseTests
         Batch batch = new(body, TimeSteps.Every(0.02));
         batch.Add(body.Start);
         holder.Call = () => batch.Step();
-        Assert.That(() => batch.Step(), Throws.InvalidOperationException.With.Message.StartsWith("batch of \"b\": is being stepped already, by "));
+        Assert.That(
+            () => batch.Step(),
+            Throws.InstanceOf<BrokenEffectException>().With.Message.Contains("batch of \"b\": is being stepped already, by ").And.InnerException.InstanceOf<InvalidOperationException>());
+        Assert.That(batch.StepsDone, Is.Zero);
         holder.Call = () => { };
         Assert.That(() => batch.Step(), Throws.Nothing);
     }
