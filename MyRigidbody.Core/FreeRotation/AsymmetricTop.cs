@@ -215,7 +215,10 @@ namespace RigidBodyDynamics
             Vector3d momentum = _isShort ? Vector3d.Zero : _q.Rotate(new Vector3d(m1, m2, m3));
             SmallTurn.Add(ref _q, ref _qLost, _q * new Quaterniond(-vv * f, v * r1, v * r2, v * r3));
             if (r0 < 0)
-                Negate();
+            {
+                _q = -1 * _q;
+                _qLost = -1 * _qLost;
+            }
 
             if (!_isShort)
                 KeepDirection(momentum);
@@ -230,12 +233,6 @@ namespace RigidBodyDynamics
             Vector3d now = _q.Rotate(new Vector3d(_shape.I1 * _w.X, _w.Y, _shape.I3 * _w.Z));
             Vector3d back = 0.5 / now.LengthSquared * Vector3d.Cross(now, momentum);
             SmallTurn.Add(ref _q, ref _qLost, new Quaterniond(0, back) * _q);
-        }
-
-        private void Negate()
-        {
-            _q = -1 * _q;
-            _qLost = -1 * _qLost;
         }
 
         private void Change(double d1, double d2, double d3)

@@ -68,16 +68,8 @@ namespace RigidBodyDynamics
 
         /// <summary>S, c₁, c₃ and, up to a common factor, cosine and sine of ψ/2.</summary>
         private void Orbit(
-            DoubleDouble a1,
-            DoubleDouble a3,
-            DoubleDouble momentum,
-            DoubleDouble length,
-            DoubleDouble h,
-            out DoubleDouble s,
-            out DoubleDouble c1,
-            out DoubleDouble c3,
-            out DoubleDouble cos,
-            out DoubleDouble sin)
+            DoubleDouble a1, DoubleDouble a3, DoubleDouble momentum, DoubleDouble length, DoubleDouble h,
+            out DoubleDouble s, out DoubleDouble c1, out DoubleDouble c3, out DoubleDouble cos, out DoubleDouble sin)
         {
             DoubleDouble alpha = _alphaOfA3 * a3, beta = _betaOfA1 * a1, f0 = (a1 + a3) / momentum;
             double fastest = Math.Max(Math.Max(alpha.High, beta.High), ((a1 + a3) * f0).High);

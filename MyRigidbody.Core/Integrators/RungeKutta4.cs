@@ -93,15 +93,8 @@ namespace RigidBodyDynamics
         }
 
         private void RatesAt<TPush>(
-            in Instant at,
-            in Vector3d x,
-            in Vector3d v,
-            in Quaterniond q,
-            in Vector3d l,
-            ref TPush push,
-            out Vector3d acceleration,
-            out Quaterniond turning,
-            out Vector3d torque)
+            in Instant at, in Vector3d x, in Vector3d v, in Quaterniond q, in Vector3d l, ref TPush push,
+            out Vector3d acceleration, out Quaterniond turning, out Vector3d torque)
             where TPush : struct, IPush
         {
             const PushTraits Reads =

@@ -80,6 +80,37 @@ namespace RigidBodyDynamics
             }
         }
 
+        /// <summary>Scalar product: of two turns the cosine of half the angle between them, below zero if −b is nearer to a than b.</summary>
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        public static double Dot(Quaterniond a, Quaterniond b) => a.W * b.W + a.X * b.X + a.Y * b.Y + a.Z * b.Z;
+
+        /// <summary>
+        /// Between two turns at an even rate (K. Shoemake, SIGGRAPH 1985), the shorter way: a at part = 0, b or −b at part = 1,
+        /// and on the same great circle beyond. Lengths must be 1. The same bits on every runtime.
+        /// </summary>
+        public static Quaterniond Slerp(Quaterniond a, Quaterniond b, double part)
+        {
+            b = Dot(a, b) < 0 ? -1 * b : b;
+            // of half the angle between the turns; so written the sine of a small one keeps its digits
+            double sin = 0.5 * (b + -1 * a).Length * (a + b).Length, cos = Dot(a, b);
+            if (sin == 0)
+                return a;
+
+            // a guess off by at most 0.08, and three times the sine of what it lacks, which leaves δ³/6 of δ
+            double angle = 1.5707963267948966 * sin / (sin + cos);
+            for (int i = 0; i < 3; i++)
+            {
+                Elementary.SinCos(angle, out double s, out double c);
+                angle += sin * c - cos * s;
+            }
+
+            return (Elementary.Sin((1 - part) * angle) / sin * a + Elementary.Sin(part * angle) / sin * b).Normalized;
+        }
+
+        /// <summary>Between two turns along the chord, the shorter way: cheaper than <see cref="Slerp"/>, faster in the middle than at the ends.</summary>
+        public static Quaterniond Nlerp(Quaterniond a, Quaterniond b, double part) =>
+            ((1 - part) * a + (Dot(a, b) < 0 ? -part : part) * b).Normalized;
+
         /// <summary>Sum, component by component.</summary>
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
         public static Quaterniond operator +(Quaterniond a, Quaterniond b) =>
@@ -97,28 +128,6 @@ namespace RigidBodyDynamics
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
         public static Quaterniond operator *(double s, Quaterniond a) =>
             new Quaterniond(s * a.W, s * a.X, s * a.Y, s * a.Z);
-
-        /// <summary>The cosine of half the angle between two orientations of length 1; negative where −b is nearer to a than b.</summary>
-        public static double Dot(Quaterniond a, Quaterniond b) => a.W * b.W + a.X * b.X + a.Y * b.Y + a.Z * b.Z;
-
-        /// <summary>A part, 0 to 1, of the shorter turn from one orientation to another, at one rate. Both of length 1.</summary>
-        /// <remarks>K. Shoemake, "Animating rotation with quaternion curves", SIGGRAPH 1985.</remarks>
-        public static Quaterniond Slerp(Quaterniond a, Quaterniond b, double part)
-        {
-            double half = 0.5 * Conserved.AngleBetween(a, b);
-            // sines of such angles are the angles
-            if (half < 1e-8)
-                return Nlerp(a, b, part);
-
-            Elementary.SinCos(half, out double whole, out _);
-            Elementary.SinCos(half * (1 - part), out double first, out _);
-            Elementary.SinCos(half * part, out double second, out _);
-            return (first / whole * a + (Dot(a, b) < 0 ? -second : second) / whole * b).Normalized;
-        }
-
-        /// <summary>The same way as <see cref="Slerp"/>, faster in the middle of a long turn, without trigonometry.</summary>
-        public static Quaterniond Nlerp(Quaterniond a, Quaterniond b, double part) =>
-            ((1 - part) * a + (Dot(a, b) < 0 ? -part : part) * b).Normalized;
 
         /// <summary>Takes a vector of the body to the world. The length of q must be 1.</summary>
         /// <remarks>v + 2w (u × v) + 2u × (u × v), with u the vector part: 15 products and no square.</remarks>

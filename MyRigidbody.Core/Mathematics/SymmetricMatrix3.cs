@@ -3,22 +3,43 @@ using System.Runtime.CompilerServices;
 
 namespace RigidBodyDynamics
 {
-    /// <summary>A symmetric 3×3 matrix: an inertia tensor, kg m², or its inverse.</summary>
+    /// <summary>
+    /// A symmetric 3×3 matrix: an inertia tensor, kg m², or its inverse. The six numbers are given by name,
+    /// <c>new SymmetricMatrix3 { XX = 1, YY = 2, ZZ = 2.5, XY = 0.1 }</c>, because lists of them go in several orders.
+    /// </summary>
     public struct SymmetricMatrix3
     {
         /// <summary>The diagonal (xx, yy, zz).</summary>
         public Vector3d Diagonal;
 
         /// <summary>The three numbers beside the diagonal: yz, xz, xy.</summary>
-        public Vector3d OffDiagonal;
+        internal Vector3d OffDiagonal;
 
         /// <summary>The matrix with the diagonal (xx, yy, zz) and yz, xz, xy beside it.</summary>
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
-        public SymmetricMatrix3(Vector3d diagonal, Vector3d offDiagonal)
+        internal SymmetricMatrix3(Vector3d diagonal, Vector3d offDiagonal)
         {
             Diagonal = diagonal;
             OffDiagonal = offDiagonal;
         }
+
+        /// <summary>First number of the diagonal.</summary>
+        public double XX { get => Diagonal.X; set => Diagonal.X = value; }
+
+        /// <summary>Second number of the diagonal.</summary>
+        public double YY { get => Diagonal.Y; set => Diagonal.Y = value; }
+
+        /// <summary>Third number of the diagonal.</summary>
+        public double ZZ { get => Diagonal.Z; set => Diagonal.Z = value; }
+
+        /// <summary>In row x and column y, and the other way round; of an inertia tensor −Σ m x y, as in URDF's ixy.</summary>
+        public double XY { get => OffDiagonal.Z; set => OffDiagonal.Z = value; }
+
+        /// <summary>In row x and column z, and the other way round; of an inertia tensor −Σ m x z.</summary>
+        public double XZ { get => OffDiagonal.Y; set => OffDiagonal.Y = value; }
+
+        /// <summary>In row y and column z, and the other way round; of an inertia tensor −Σ m y z.</summary>
+        public double YZ { get => OffDiagonal.X; set => OffDiagonal.X = value; }
 
         /// <summary>The matrix 1.</summary>
         public static SymmetricMatrix3 Identity => new SymmetricMatrix3(new Vector3d(1, 1, 1), Vector3d.Zero);
@@ -74,8 +95,6 @@ namespace RigidBodyDynamics
 
         /// <summary>The six numbers, by name.</summary>
         public override string ToString() => string.Format(
-            CultureInfo.InvariantCulture,
-            "xx {0:R}, yy {1:R}, zz {2:R}, yz {3:R}, xz {4:R}, xy {5:R}",
-            Diagonal.X, Diagonal.Y, Diagonal.Z, OffDiagonal.X, OffDiagonal.Y, OffDiagonal.Z);
+            CultureInfo.InvariantCulture, "xx {0:R}, yy {1:R}, zz {2:R}, yz {3:R}, xz {4:R}, xy {5:R}", XX, YY, ZZ, YZ, XZ, XY);
     }
 }

@@ -41,6 +41,16 @@ namespace RigidBodyDynamics
         /// <summary>The length. Over- and underflows where its square does.</summary>
         public double Length { [MethodImpl(MethodImplOptions.AggressiveInlining)] get => Math.Sqrt(LengthSquared); }
 
+        /// <summary>The vector of length 1 in the same direction, of whatever length; zero of zero.</summary>
+        public Vector3d Normalized
+        {
+            get
+            {
+                Vector3d scaled = IsZero ? this : this / Math.Max(Math.Abs(X), Math.Max(Math.Abs(Y), Math.Abs(Z)));
+                return IsZero ? this : scaled / scaled.Length;
+            }
+        }
+
         /// <summary>Sum, component by component.</summary>
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
         public static Vector3d operator +(Vector3d a, Vector3d b) => new Vector3d(a.X + b.X, a.Y + b.Y, a.Z + b.Z);

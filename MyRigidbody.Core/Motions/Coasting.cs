@@ -39,25 +39,6 @@ namespace RigidBodyDynamics
         /// <summary>What is left of an angular velocity after a step by damping alone.</summary>
         public double AngularDecay(double duration) => Decay(AngularDampingRate, duration) * AngularFactorPerStep;
 
-        /// <summary>Adds force m (g − c v) and torque −c_ω L, N and N m, at an instant.</summary>
-        public void At(in BodyState body, MassProperties mass, ref Wrench wrench)
-        {
-            wrench.Force += mass.Mass * (Acceleration - LinearDampingRate * body.Velocity);
-            wrench.Torque -= AngularDampingRate * Conserved.AngularMomentum(body, mass);
-        }
-
-        /// <summary>
-        /// The exact flow of the translation under gravity, constant forces and damping together, and of the angular velocity under
-        /// damping alone (the turn that goes with it is the free rotation's). The factors per step are left out.
-        /// </summary>
-        public void Advance(double duration, ref BodyState body)
-        {
-            Drift drift = new Drift(this, duration);
-            Vector3d xLost = Vector3d.Zero, vLost = Vector3d.Zero;
-            drift.Move(ref body.Position, ref xLost, ref body.Velocity, ref vLost);
-            body.AngularVelocity = drift.AngularDecay.Of(body.AngularVelocity);
-        }
-
         private static double Decay(double rate, double duration) => rate == 0 ? 1 : Elementary.Exp(-rate * duration);
     }
 }

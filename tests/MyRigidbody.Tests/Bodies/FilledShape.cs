@@ -26,7 +26,7 @@ internal static class FilledShape
             xy -= p.X * p.Y;
         }
 
-        return 1.0 / hits * new SymmetricMatrix3(new Vector3d(xx, yy, zz), new Vector3d(yz, xz, xy));
+        return 1.0 / hits * new SymmetricMatrix3 { XX = xx, YY = yy, ZZ = zz, YZ = yz, XZ = xz, XY = xy };
     }
 
     /// <summary>The digits of i mirrored at the point.</summary>

@@ -182,4 +182,58 @@ public sealed class QuaternionTests
         Assert.That((x * y).Z, Is.EqualTo(Math.Sin(0.5) * Math.Sin(0.5)).Within(1e-16)); // measured 0
         Assert.That((y * x).Z, Is.EqualTo(-Math.Sin(0.5) * Math.Sin(0.5)).Within(1e-16)); // measured 0
     }
+
+    [Test]
+    public void Slerp_turns_evenly_about_one_axis() => Property.Holds(
+        Gen.Select(Turns, Axes, Gen.OneOf<double>(Gen.Double[-3.14, 3.14], Gen.OneOf(0, 1e-8, -1e-12, 1e-160, 1.5707963267948966)), Gen.Double[-0.5, 1.5]),
+        s =>
+        {
+            (Quaterniond a, Vector3d axis, double angle, double t) = s;
+            Quaterniond expected = a * Turn(axis, t * angle), b = a * Turn(axis, angle);
+            return Math.Max(Apart(Quaterniond.Slerp(a, b, t), expected), Apart(Quaterniond.Slerp(a, -1 * b, t), expected));
+        },
+        2e-15); // measured 3.3e-16
+
+    [Test]
+    public void Slerp_keeps_the_digits_of_a_small_turn()
+    {
+        Quaterniond a = Quaterniond.Identity, b = new(1, 3e-12, -4e-12, 0);
+        Quaterniond part = Quaterniond.Slerp(a, b, 0.3);
+        Assert.That(Apart(1e12 * part.Vector, new Vector3d(0.9, -1.2, 0)), Is.LessThan(1e-15)); // measured 0
+    }
+
+    [Test]
+    public void Chord_and_arc_meet_at_the_ends_and_in_the_middle() => Property.Holds(
+        Gen.Select(Turns, Turns),
+        s =>
+        {
+            (Quaterniond a, Quaterniond b) = s;
+            Quaterniond near = Quaterniond.Dot(a, b) < 0 ? -1 * b : b;
+            double ends = Math.Max(Apart(Quaterniond.Nlerp(a, b, 0), a), Apart(Quaterniond.Nlerp(a, b, 1), near));
+            ends = Math.Max(ends, Math.Max(Apart(Quaterniond.Slerp(a, b, 0), a), Apart(Quaterniond.Slerp(a, b, 1), near)));
+            return Math.Max(ends, Apart(Quaterniond.Nlerp(a, b, 0.5), Quaterniond.Slerp(a, b, 0.5)));
+        },
+        2e-15); // measured 3.3e-16
+
+    [Test]
+    public void Chord_is_slower_at_the_ends_than_the_arc_and_on_the_same_circle()
+    {
+        Vector3d axis = new Vector3d(1, -2, 2) / 3;
+        Quaterniond tenth = Quaterniond.Nlerp(Quaterniond.Identity, Turn(axis, 2), 0.1);
+        // tan of the half angle: 0.1 sin 1 / (0.9 + 0.1 cos 1)
+        double half = Math.Atan(0.1 * Math.Sin(1) / (0.9 + 0.1 * Math.Cos(1)));
+        Assert.That(Apart(tenth, Turn(axis, 2 * half)), Is.LessThan(2e-16)); // measured 1.4e-17
+        Assert.That(half, Is.LessThan(0.1));
+    }
+
+    [Test]
+    public void Scalar_product_is_the_cosine_of_half_the_angle_and_knows_the_sign()
+    {
+        Quaterniond a = new(0.5, 0.5, -0.5, 0.5), b = a * Turn(new Vector3d(0, 0.6, 0.8), 1.4);
+        Assert.That(Quaterniond.Dot(a, b), Is.EqualTo(Math.Cos(0.7)).Within(2e-16)); // measured 0
+        Assert.That(Quaterniond.Dot(a, -1 * b), Is.EqualTo(-Quaterniond.Dot(a, b)));
+        Assert.That(Quaterniond.Dot(new Quaterniond(1, 2, 3, 4), new Quaterniond(5, 6, 7, 8)), Is.EqualTo(70));
+    }
+
+    private static Quaterniond Turn(Vector3d axis, double angle) => new(Math.Cos(0.5 * angle), Math.Sin(0.5 * angle) * axis);
 }

@@ -17,6 +17,25 @@ public sealed class SymmetricMatrixTests
         (q, a, b, c) => new SymmetricMatrix3(new Vector3d(a, b, c), Vector3d.Zero).RotatedBy(Matrix3.Of(q)));
 
     [Test]
+    public void Six_numbers_go_where_their_names_say()
+    {
+        SymmetricMatrix3 a = new() { XX = 1, XY = 2, XZ = 3, YY = 4, YZ = 5, ZZ = 6 };
+        Assert.That(a * new Vector3d(1, 10, 100), Is.EqualTo(new Vector3d(321, 542, 653)));
+        Assert.That((a.XX, a.XY, a.XZ, a.YY, a.YZ, a.ZZ), Is.EqualTo((1.0, 2.0, 3.0, 4.0, 5.0, 6.0)));
+        Assert.That(a.ToString(), Is.EqualTo("xx 1, yy 4, zz 6, yz 5, xz 3, xy 2"));
+        Assert.That(typeof(SymmetricMatrix3).GetConstructors(), Is.Empty, "a list of six numbers goes in several orders");
+    }
+
+    // a mass at (1, 2, 0) and one at (−1, −2, 0): Ixy = −Σ m x y
+    [Test]
+    public void Products_of_inertia_have_the_sign_of_the_tensor()
+    {
+        SymmetricMatrix3 found = PointMasses.Of([new(1, 2, 0), new(-1, -2, 0), new(0, 0, 1), new(0, 0, -1)], [0.5, 0.5, 1, 1]).Inertia;
+        SymmetricMatrix3 expected = new() { XX = 6, YY = 3, ZZ = 5, XY = -2 };
+        Assert.That(Math.Max(Apart(found.Diagonal, expected.Diagonal), Apart(found.OffDiagonal, expected.OffDiagonal)), Is.LessThan(1e-14)); // measured 0
+    }
+
+    [Test]
     public void Product_with_a_vector_is_that_of_the_full_matrix() => Property.Holds(
         Gen.Select(AnySix, Vectors),
         t =>

@@ -23,6 +23,19 @@ public sealed class VectorTests
     }
 
     [Test]
+    public void Normalized_has_length_one_in_the_same_direction_whatever_the_length() => Property.Holds(
+        Gen.Select(Vectors, Gen.Double[-300, 300]),
+        s =>
+        {
+            Vector3d unit = (Math.Pow(10, s.Item2) * s.Item1).Normalized;
+            return Math.Max(Math.Abs(unit.Length - 1), Apart(unit, s.Item1 / s.Item1.Length));
+        },
+        1e-15); // measured 3.3e-16
+
+    [Test]
+    public void Zero_has_no_direction_and_normalized_stays_zero() => Assert.That(Vector3d.Zero.Normalized, Is.EqualTo(Vector3d.Zero));
+
+    [Test]
     public void Scalar_product_and_length_follow_Pythagoras()
     {
         Assert.That(Vector3d.Dot(A, B), Is.EqualTo(4 - 10 + 18));
