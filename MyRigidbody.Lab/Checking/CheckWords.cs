@@ -30,6 +30,8 @@ internal static class CheckWords
         ["script"] = new("script", "脚本"),
         ["reference"] = new("reference", "参考"),
         ["unity"] = new("Unity", "Unity"),
+        ["cube"] = new("cube", "立方体"),
+        ["box"] = new("box", "长方体"),
     };
 
     /// <summary>A part of a verdict, with its number if it is one of the sheet's steps.</summary>

@@ -22,11 +22,13 @@ internal static class ScriptMotion
     {
         Run cube = recording.Runs[0], box = recording.Runs[1];
         int frames = Math.Min(MostFrames, Math.Min(cube.Frames.Count, box.Frames.Count));
-        return Motion.Of(TimeSteps.Every(FrameInput.FixedDelta, frames), [.. Tracks(cube, frames, "cube"), .. Tracks(box, frames, "box")], [(0, 1), (0, 2), (3, 4), (3, 5)]);
+        return Motion.Of(TimeSteps.Every(FrameInput.FixedDelta, frames), [.. Tracks(cube, frames, CheckWords.All["cube"]), .. Tracks(box, frames, CheckWords.All["box"])], [(0, 1), (0, 2), (3, 4), (3, 5)]);
     }
 
-    private static IEnumerable<Track> Tracks(Run run, int frames, string of)
+    private static IEnumerable<Track> Tracks(Run run, int frames, Word of)
     {
+        Word Name(string key) => Word.Name("{0} · {1}").With(CheckWords.All[key], of);
+
         double mass = run.Frames[0].Before.Mass is > 0 and < double.PositiveInfinity and var known ? known : 1;
         Vector3d[] vertices = [.. run.Setting.Vertices.Select(v => new Vector3d(v.X * run.Setting.Scale.X, v.Y * run.Setting.Scale.Y, v.Z * run.Setting.Scale.Z))];
         Vector3d edges = 2 * new Vector3d(vertices.Max(v => v.X), vertices.Max(v => v.Y), vertices.Max(v => v.Z));
@@ -35,24 +37,24 @@ internal static class ScriptMotion
         // all start in one place, so that they stand side by side
         Quaterniond start = new Quaterniond(turn.W, turn.X, turn.Y, turn.Z).Normalized;
 
-        BodyDescription reference = new BodyDescription(CheckWords.All["reference"].En + " · " + of, points) { Rule = Rules.LabEuler }.With(new DecayPerStep(0.98, 0.98));
-        BodyDescription unity = new(CheckWords.All["unity"].En + " · " + of, solid) { Rule = Rules.UnityRigidbody };
+        BodyDescription reference = new BodyDescription(Name("reference").En, points) { Rule = Rules.LabEuler }.With(new DecayPerStep(0.98, 0.98));
+        BodyDescription unity = new(Name("unity").En, solid) { Rule = Rules.UnityRigidbody };
         PerStep pushes = new([.. run.Frames.Take(frames).Select(Force)], [.. run.Frames.Take(frames).Select(Torque)]);
         BodyDescription[] others = [reference.With(pushes), unity.With(pushes)];
         foreach (BodyDescription other in others)
             other.Start = new BodyState(Vector3d.Zero, start, Vector3d.Zero, Vector3d.Zero);
 
-        Track script = new(CheckWords.All["script"].En + " · " + of, points, solid);
+        Track script = new(Name("script").En, points, solid) { Names = Name("script") };
         Vector from = run.Frames[0].Before.Position;
         script.States.Add(State(run.Frames[0].Before, from));
         script.States.AddRange(run.Frames.Take(frames).Select(frame => State(frame.After, from)));
-        return [script, .. others.Select(other => Played(other, solid, frames))];
+        return [script, .. others.Zip(new[] { "reference", "unity" }, (other, key) => Played(other, Name(key), solid, frames))];
     }
 
-    private static Track Played(BodyDescription body, MassProperties shape, int frames)
+    private static Track Played(BodyDescription body, Word names, MassProperties shape, int frames)
     {
         Simulation simulation = new(new Scene(body.Name, string.Empty, TimeSteps.Every(FrameInput.FixedDelta, frames), [body]));
-        Track track = new(body.Name, body.Mass, shape);
+        Track track = new(body.Name, body.Mass, shape) { Names = names };
         track.States.Add(simulation.Bodies[0].State);
         for (int frame = 0; frame < frames; frame++)
         {

@@ -52,6 +52,14 @@ internal static class MotionJson
         Quaterniond frame = track.Mass.PrincipalFrame.Normalized;
         json.WriteStartObject();
         json.WriteString("name", track.Name);
+        if (track.Names is { } names)
+        {
+            json.WriteStartObject("names");
+            json.WriteString("en", names.En);
+            json.WriteString("zh", names.Zh);
+            json.WriteEndObject();
+        }
+
         Rounded(json, "edges", Parts(track.Edges), Digits);
         Rounded(json, "boxFrame", Parts(track.Shape.PrincipalFrame.Normalized), Digits);
         Rounded(json, "center", Parts(track.Mass.CenterOfMass), Digits);

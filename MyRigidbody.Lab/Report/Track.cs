@@ -9,6 +9,9 @@ internal sealed record Track(string Name, MassProperties Mass, MassProperties Sh
     // a plate or a needle has edges of length 0, which nobody would see
     private const double Thinnest = 0.02;
 
+    /// <summary>The name in each language; null where it is the same in all.</summary>
+    public Word? Names { get; init; }
+
     /// <summary>One for each moment.</summary>
     public List<BodyState> States { get; } = [];
 

@@ -26,6 +26,11 @@ window.report = (() => {
 
   function setLanguage(value) {
     root.lang = value;
+    // bodies of a student's script have a name in each language
+    for (const body of data?.bodies ?? []) {
+      body.name = body.names?.[value] ?? body.name;
+    }
+
     for (const element of document.querySelectorAll('[data-word]')) {
       element.textContent = word(element.dataset.word);
     }

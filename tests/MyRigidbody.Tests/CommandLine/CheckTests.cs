@@ -52,6 +52,7 @@ public sealed class CheckTests
         Assert.That(page, Does.Contain("漏了 ½").And.Contain("new Quaternion(w.x * dt, w.y * dt, w.z * dt, 0)"));
         foreach (string body in new[] { "script · cube", "reference · cube", "Unity · cube", "script · box", "reference · box", "Unity · box" })
             Assert.That(page, Does.Contain($"\"name\":\"{body}\""));
+        Assert.That(page, Does.Contain("\"zh\":\"脚本 · 立方体\""));
     }
 
     [Test]
