@@ -103,9 +103,29 @@ namespace RigidBodyDynamics
         /// <summary>True if a constant force is part of what a body coasts with by this rule, and no push.</summary>
         internal virtual bool CoastsUnderForces => true;
 
-        /// <summary>True if a body has a closed form by this rule while a stretch lasts.</summary>
+        /// <summary>True if a body has a closed form by this rule while a stretch lasts: the rule itself is asked.</summary>
         internal virtual bool Coasts(BodyDescription body, StretchPlan stretch) =>
-            stretch.Pushes.Count == 0 && !body.CanMove && !body.CanTurn;
+            stretch.Pushes.Count == 0 && Use(body, new ClosedForm(body, stretch));
+
+        private sealed class ClosedForm : IRuleUse<bool>
+        {
+            private readonly BodyDescription _body;
+            private readonly StretchPlan _stretch;
+
+            public ClosedForm(BodyDescription body, StretchPlan stretch)
+            {
+                _body = body;
+                _stretch = stretch;
+            }
+
+            public bool With<TIntegrator>() where TIntegrator : struct, IIntegrator
+            {
+                TIntegrator rule = default(TIntegrator);
+                rule.Start(new Beginning(_body));
+                rule.Prepare(1, _stretch.Coasting);
+                return rule.HasClosedForm;
+            }
+        }
 
         private sealed class MoverMaker : IRuleUse<Mover>
         {
@@ -188,30 +208,6 @@ namespace RigidBodyDynamics
             Vector3d i = body.Mass.PrincipalMoments;
             return body.Mass.IsIsotropic ? "all moments are equal, so ω stays"
                 : i.X == i.Y || i.Y == i.Z || i.Z == i.X ? "two moments are equal, so two turns are enough" : null;
-        }
-
-        internal override bool Coasts(BodyDescription body, StretchPlan stretch) =>
-            base.Coasts(body, stretch) || FreeTops.Choose(body, new Coaster(body, stretch));
-
-        /// <summary>Asks the top itself.</summary>
-        private sealed class Coaster : FreeTops.IUse<bool>
-        {
-            private readonly BodyDescription _body;
-            private readonly StretchPlan _stretch;
-
-            public Coaster(BodyDescription body, StretchPlan stretch)
-            {
-                _body = body;
-                _stretch = stretch;
-            }
-
-            public bool With<TTop>() where TTop : struct, IFreeTop
-            {
-                Composition<TTop, TScheme> start = default(Composition<TTop, TScheme>);
-                start.Start(new Beginning(_body));
-                start.Prepare(1, _stretch.Coasting);
-                return _stretch.Pushes.Count == 0 && start.HasClosedForm;
-            }
         }
 
         private sealed class WithTop<TResult> : FreeTops.IUse<TResult>

@@ -40,16 +40,17 @@ public sealed class ExplanationTests
     {
         foreach (Vector3d spin in new Vector3d[] { new(1, 1.1, 0.9), new(1e-3, 5, 1e-3), Vector3d.Zero })
         {
-            foreach (bool isPushed in new[] { false, true })
+            foreach ((bool isPushed, bool canMove, bool canTurn) in new[] { (false, true, true), (true, true, true), (false, true, false), (false, false, true) })
             {
                 BodyDescription like = Scenery.Body(integrator), body = Top(like.Rule.Name, new Vector3d(1, 2, 3));
                 body.Unity = like.Unity;
-                body.Start = new BodyState(Vector3d.Zero, Quaterniond.Identity, spin, spin);
+                body.Start = new BodyState(Vector3d.Zero, Quaterniond.Identity, canMove ? spin : Vector3d.Zero, canTurn ? spin : Vector3d.Zero);
+                (body.CanMove, body.CanTurn) = (canMove, canTurn);
                 if (isPushed)
                     body.With(new Key(LabKey.R));
 
                 Body built = new Simulation(TimeSteps.Every(0.02), body).Bodies[0];
-                Assert.That(new Explanation(built.Plan).Coasts(built.Plan.Stretches[0]), Is.EqualTo(built.IsDormant), $"{spin} {isPushed}");
+                Assert.That(new Explanation(built.Plan).Coasts(built.Plan.Stretches[0]), Is.EqualTo(built.IsDormant), $"{spin} {isPushed} {canMove} {canTurn}");
             }
         }
     }
