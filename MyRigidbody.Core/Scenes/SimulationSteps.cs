@@ -73,8 +73,10 @@ namespace RigidBodyDynamics
         /// As many steps as have become due in a time (s), for instance since the last frame. What is left of it is kept for the
         /// next call; <see cref="Alpha"/> is its part of a step, to be drawn with <see cref="Body.Between"/>.
         /// </summary>
+        /// <param name="elapsed">The time, s.</param>
+        /// <param name="beforeStep">Done before each of the steps: what pushes in every step belongs here.</param>
         /// <returns>How many steps were taken.</returns>
-        public long Advance(double elapsed)
+        public long Advance(double elapsed, Action beforeStep = null)
         {
             // a time this close to a step, in steps, is a step: 0.1 s are five steps of 0.02 s, whatever their sum rounds to
             const double Same = 1e-9;
@@ -87,7 +89,13 @@ namespace RigidBodyDynamics
                 count += whole - 1;
             }
 
-            Step(count);
+            for (long i = 0; beforeStep != null && i < count; i++)
+            {
+                beforeStep();
+                Step(1);
+            }
+
+            Step(beforeStep == null ? count : 0);
             _rest = rest;
             return count;
         }
