@@ -47,10 +47,13 @@ namespace RigidBodyDynamics
                 Mover mover = Changing();
                 Plan.Asked.Check(value);
                 Omissions needs = (value.Velocity.IsZero ? 0 : Omissions.Translation) | (value.AngularVelocity.IsZero ? 0 : Omissions.Rotation);
+                mover.Set(value);
                 if ((needs & mover.Plan.LeftOut) != 0)
+                {
                     _simulation.Plan(this, Plan.Asked, value, Plan.MayLeaveOut & ~needs);
+                    Mover.Set(value);
+                }
 
-                Mover.Set(value);
                 _simulation.Sort(this);
             }
         }
@@ -81,7 +84,8 @@ namespace RigidBodyDynamics
 
         /// <summary>
         /// The state in the last step: at its beginning for 0, at its end for 1. A body that coasted is followed along its exact
-        /// motion; any other goes from pose to pose (orientation by slerp, centre of mass by Hermite's cubic).
+        /// motion; any other goes from pose to pose (orientation by slerp, centre of mass by Hermite's cubic). Until this is asked for
+        /// the first time the last step is not kept: a body that is changed after that step stands in its last state.
         /// </summary>
         /// <param name="alpha">0 to 1, for instance <see cref="Simulation.Alpha"/>.</param>
         public BodyState Between(double alpha) => alpha >= 0 && alpha <= 1

@@ -28,8 +28,13 @@ namespace RigidBodyDynamics
         }
 
         /// <summary>The state after a part of the step.</summary>
-        public virtual BodyState At(double part) =>
-            part == 1 || Length == 0 ? To : BodyState.Between(From, To, Center, Length, part);
+        public virtual BodyState At(double part)
+        {
+            if (part == 1 || Length == 0)
+                return To;
+
+            return part == 0 ? From : BodyState.Between(From, To, Center, Length, part);
+        }
 
         public LastStep Copy() => (LastStep)MemberwiseClone();
     }

@@ -45,6 +45,9 @@ namespace RigidBodyDynamics
         /// <summary>Adds to the <see cref="Load"/> of the next step.</summary>
         public abstract void Add(in Load load);
 
+        /// <summary>Goes on with the motion of another that has come to now, to its last digit, where both move it by the same numbers.</summary>
+        public abstract void TakeOver(Mover last);
+
         /// <summary>Comes to now: times before are not asked for again. A body may coast from here, or is stepped on.</summary>
         public abstract void Arrive(bool mayCoast);
 

@@ -98,13 +98,25 @@ namespace RigidBodyDynamics
         public override void Add(in Load load)
         {
             Arrive(mayCoast: true);
-            if (!IsLoaded)
-                Load = new Load { Step = _now.Step };
+            Load sum = IsLoaded ? Load : new Load { Step = _now.Step };
+            sum.Add(load);
+            if (!sum.IsFinite)
+                throw new OverflowException("body \"" + Plan.Body.Name + "\": the sum of what is applied in this step must be finite");
 
-            Load.Add(load);
+            Load = sum;
             _now.IsDormant = false;
             _before = _now;
             _loaded = _loaded ?? StretchBuilder<TIntegrator>.Bind(Plan, isWatched: false, loaded: this);
+        }
+
+        public override void TakeOver(Mover last)
+        {
+            if (!(last is Mover<TIntegrator> same) || same.Plan.LeftOut != Plan.LeftOut)
+                return;
+
+            _now.Motion = same._now.Motion;
+            Forget();
+            Changed(mayCoast: true);
         }
 
         public override void Arrive(bool mayCoast)
@@ -135,6 +147,10 @@ namespace RigidBodyDynamics
 
         private void Changed(bool mayCoast)
         {
+            // a body that coasted to here is still in the stretch that ends here
+            if (_now.Step == WakesAt && _now.Stretch + 1 < _stretches.Length)
+                _now.Stretch++;
+
             _now.IsDormant = false;
             Settle(mayCoast);
             _before = _now;
@@ -229,12 +245,21 @@ namespace RigidBodyDynamics
             LastStep<TIntegrator> last = Last as LastStep<TIntegrator> ?? new LastStep<TIntegrator>();
             if (_now.IsDormant && _now.Anchored < step)
                 last.Coasted(step, _clock.LastLength, _now.Motion, _stretches[_now.Stretch]);
+            else if (_before.Step < step && HasCoasted(step))
+                last.Coasted(step, _clock.LastLength, _now.Motion, _stretches[_before.Stretch]);
             else if (_before.Step < step)
                 last.Went(step, _clock.LastLength, Before(step), _now.Motion.State, Plan.Body.Mass.CenterOfMass);
             else
                 last.Jump(step, _now.Motion.State);
 
             return Last = last;
+        }
+
+        /// <summary>The step before this one was taken, though nothing pushed and the way was known: it ended a stretch, or had a length of its own.</summary>
+        private bool HasCoasted(long step)
+        {
+            Stretch<TIntegrator> stretch = _stretches[_before.Stretch];
+            return Plan.MayCoast && stretch.End >= step && Load.Step != step - 1 && stretch.KnowsWay(_before.Motion);
         }
 
         /// <summary>The state before the last step, on the way there once more.</summary>

@@ -105,10 +105,12 @@ namespace RigidBodyDynamics
         {
             BodyDescription now = description.Copy(description.Name, description.Mass);
             now.Start = state;
-            Mover next = Moving(now, mayLeaveOut), last = body.Mover;
+            Mover last = body.Mover;
+            bool isLoaded = last.Load.Step == StepsDone;
+            Mover next = Moving(now, isLoaded ? mayLeaveOut & ~last.Load.Needs : mayLeaveOut);
             last.Arrive(mayCoast: true);
             next.Last = last.Last;
-            if (last.Load.Step == StepsDone)
+            if (isLoaded)
                 next.Add(last.Load);
 
             body.Mover = next;

@@ -80,11 +80,15 @@ namespace RigidBodyDynamics
         {
             // a time this close to a step, in steps, is a step: 0.1 s are five steps of 0.02 s, whatever their sum rounds to
             const double Same = 1e-9;
+            const double Most = 1e18;
             double rest = _rest + Guard.NotNegative(elapsed, nameof(elapsed));
             long count = 0, left = _clock.Steps.Count - StepsDone;
+            if (!_clock.Steps.AreListed && rest > Most * _clock.Steps.Length(0))
+                throw Guard.Refused(nameof(elapsed), elapsed, "must not be more than 1e18 steps");
+
             for (double length; count < left && rest >= (1 - Same) * (length = _clock.Steps.Length(StepsDone + count)); count++)
             {
-                long whole = _clock.Steps.AreListed ? 1 : (long)Math.Min(left - count, Math.Floor(rest / length + Same));
+                long whole = _clock.Steps.AreListed ? 1 : Math.Min(left - count, (long)(rest / length + Same));
                 rest -= whole * length;
                 count += whole - 1;
             }
@@ -104,15 +108,15 @@ namespace RigidBodyDynamics
         {
             TimeSteps.Grid grid = _clock.Steps.Division;
             long step = StepsDone;
+            // a step of another length is no part of a way that goes by the number of its steps
+            foreach (Body body in _bodies)
+            {
+                body.Mover.Arrive(mayCoast: false);
+                Sort(body);
+            }
+
             try
             {
-                // a step of another length is no part of a way that goes by the number of its steps
-                foreach (Body body in _bodies)
-                {
-                    body.Mover.Arrive(mayCoast: false);
-                    Sort(body);
-                }
-
                 _clock.Steps.Turn(step, duration);
                 Run(step + 1);
                 _clock.Steps.Turn(step + 1, grid.Length);
@@ -130,10 +134,16 @@ namespace RigidBodyDynamics
         /// <summary>Effects begin and end by the number of a step, and steps start at other times now.</summary>
         private void GoOn(Body body)
         {
-            if (body.Plan.Stretches.Count > 1)
-                Plan(body, body.Plan.Asked, body.State, body.Plan.MayLeaveOut);
+            Mover last = body.Mover;
+            if (last.Plan.Stretches.Count > 1)
+            {
+                Plan(body, last.Plan.Asked, last.State, last.Plan.MayLeaveOut);
+                body.Mover.TakeOver(last);
+            }
             else
-                body.Mover.Arrive(mayCoast: true);
+            {
+                last.Arrive(mayCoast: true);
+            }
 
             Sort(body);
         }

@@ -25,6 +25,9 @@ namespace RigidBodyDynamics
         /// <summary>True if a body at this step need not be stepped: nothing pushes it, and its rule knows where it will be.</summary>
         public abstract bool LetsCoast(ref TIntegrator integrator, TimeSteps steps, long step);
 
+        /// <summary>True if nothing pushes, and the rule of a body in this state knows its way at every time.</summary>
+        public abstract bool KnowsWay(TIntegrator integrator);
+
         /// <summary>From a state at one step to that at a later one, of a body that coasts since it was at the anchor.</summary>
         public abstract void Coast(ref TIntegrator integrator, TimeSteps steps, long anchored, long from, long to);
 
@@ -52,6 +55,8 @@ namespace RigidBodyDynamics
             _sum = sum;
         }
 
+        private bool IsPushed => (_sum.Traits & (PushTraits.Moves | PushTraits.Turns)) != 0;
+
         [MethodImpl(Optimised)]
         public override void Run(ref TIntegrator integrator, TimeSteps steps, long first, long end)
         {
@@ -64,10 +69,19 @@ namespace RigidBodyDynamics
 
         public override bool LetsCoast(ref TIntegrator integrator, TimeSteps steps, long step)
         {
-            if ((_sum.Traits & (PushTraits.Moves | PushTraits.Turns)) != 0 || step >= End)
+            if (IsPushed || step >= End)
                 return false;
 
             Prepare(ref integrator, steps.Length(step));
+            return integrator.HasClosedForm;
+        }
+
+        public override bool KnowsWay(TIntegrator integrator)
+        {
+            if (IsPushed)
+                return false;
+
+            integrator.Prepare(1, _coasting);
             return integrator.HasClosedForm;
         }
 
