@@ -73,6 +73,9 @@ namespace RigidBodyDynamics.Scripts
         /// <summary>False where the settings make no body; the console says why.</summary>
         public bool IsReady => _simulation != null;
 
+        /// <summary>Length of the steps, s.</summary>
+        internal double StepLength => ToUnity.Meant(_stepLength);
+
         /// <summary>The keys that were held in the last step.</summary>
         public Keyboard Keyboard => _keyboard;
 
@@ -98,7 +101,7 @@ namespace RigidBodyDynamics.Scripts
         {
             // what was changed in the inspector holds from here on; the body goes on from where it is
             if (_isChanged || Time.fixedDeltaTime != _stepLength)
-                Build(IsReady ? State : StartState());
+                Build(goesOn: IsReady);
 
             // settings that make no body move nothing; the console has said why
             if (!IsReady)
@@ -109,7 +112,7 @@ namespace RigidBodyDynamics.Scripts
                 _keyboard[key] = readsKeys && LabInput.IsHeld(key);
 
             // 2. the step: velocity, angular velocity, position, orientation, damping; by the lab's rule in LabEuler.cs
-            _simulation.Step();
+            TakeStep();
 
             // 3. the object: to where the body now is
             Show();
@@ -118,7 +121,7 @@ namespace RigidBodyDynamics.Scripts
         /// <summary>Back to the pose and velocity of the start; t counts from 0 again.</summary>
         public void StartAgain()
         {
-            Build(StartState());
+            Build(goesOn: false);
             Show();
         }
 
@@ -129,14 +132,19 @@ namespace RigidBodyDynamics.Scripts
         internal BodyState StartState() =>
             new BodyState(_startPosition.Double(), _startRotation.Double(), startVelocity.Double(), startSpin.Double());
 
-        private void Build(BodyState start)
+        private void Build(bool goesOn)
         {
             _isChanged = false;
             _stepLength = Time.fixedDeltaTime;
             try
             {
-                Description = Describe(start);
-                _simulation = new Simulation(TimeSteps.Every(ToUnity.Meant(_stepLength)), Description);
+                BodyDescription next = Describe(goesOn ? State : StartState());
+                if (goesOn)
+                    Body.Change(next);
+                else
+                    _simulation = new Simulation(TimeSteps.Every(ToUnity.Meant(_stepLength)), next);
+
+                Description = next;
                 // what was refused before and is mended moves again; what somebody else switched off stays off
                 enabled |= _isRefused;
                 _isRefused = false;
@@ -145,6 +153,15 @@ namespace RigidBodyDynamics.Scripts
             {
                 Refuse("MyRigidbody on '" + name + "': " + wrong.Message);
             }
+        }
+
+        private void TakeStep()
+        {
+            // the length of fixed steps may be changed while the game plays; time goes on from where it is
+            if (StepLength == _simulation.Scene.Steps.Length(0))
+                _simulation.Step();
+            else
+                _simulation.StepBy(StepLength);
         }
 
         private BodyDescription Describe(BodyState start)

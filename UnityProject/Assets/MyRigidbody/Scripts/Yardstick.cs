@@ -15,6 +15,7 @@ namespace RigidBodyDynamics.Scripts
 
         private readonly MyRigidbody _body;
         private Simulation _watched, _exact;
+        private BodyDescription _described;
 
         public Yardstick(MyRigidbody body) => _body = body;
 
@@ -35,9 +36,17 @@ namespace RigidBodyDynamics.Scripts
 
             if (_watched != _body.Simulation)
                 Begin();
+            else if (_described != _body.Description)
+                GoOn();
 
+            double part = _body.StepLength / Parts;
             long behind = Parts * _watched.StepsDone - _exact.StepsDone;
-            _exact.Step(Math.Max(0, behind));
+            if (part == _exact.Scene.Steps.Length(0))
+                _exact.Step(Math.Max(0, behind));
+            else
+                for (; behind > 0; behind--)
+                    _exact.StepBy(part);
+
             BodyState exact = _exact.Bodies[0].State, found = _body.State;
             AngleError = Conserved.AngleBetween(exact.Orientation, found.Orientation);
             DistanceError = (exact.Position - found.Position).Length;
@@ -68,17 +77,31 @@ namespace RigidBodyDynamics.Scripts
         {
             _watched = _body.Simulation;
             NanosecondsPerStep = 0;
-            double step = _watched.Scene.Steps.Length(0);
-            BodyDescription found = _body.Description;
+            _exact = new Simulation(TimeSteps.Every(_body.StepLength / Parts), Exact());
+        }
+
+        /// <summary>The body was changed: both are in the same state from here on.</summary>
+        private void GoOn()
+        {
+            BodyDescription exact = Exact();
+            _exact.Bodies[0].Change(exact);
+            _exact.Bodies[0].State = exact.Start;
+            NanosecondsPerStep = 0;
+        }
+
+        private BodyDescription Exact()
+        {
+            BodyDescription found = _described = _body.Description;
             BodyDescription exact = found.Copy("exact", found.Mass).Without(effect => effect.Motion is DecayPerStep);
             exact.Rule = Rules.Exact6;
             if (_body.damping == DampingKind.FactorPerStep)
             {
                 // the factor as a rate: what the lab's rule tends to as its step shrinks
+                double step = _body.StepLength;
                 exact.With(new LinearDamping(Rate(_body.linearDecay, step))).With(new AngularDamping(Rate(_body.angularDecay, step)));
             }
 
-            _exact = new Simulation(TimeSteps.Every(step / Parts), exact);
+            return exact;
         }
 
         // a factor of zero stops at once; the rate that does so in one step to the last bit is 1e3 times its inverse
