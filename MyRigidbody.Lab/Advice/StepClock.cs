@@ -11,6 +11,9 @@ public static class StepClock
     // a runtime that compiles again what runs often has done so by then, s
     private const double WarmUp = 0.3;
 
+    // a body that coasts takes its steps in less time than it takes to make it
+    private const double MostPerSecond = 5;
+
     /// <summary>Takes the time of trials in turns, so that what slows the machine for a while slows all of them.</summary>
     /// <param name="trials">The trials; their <see cref="Trial.NanosecondsPerStep"/> is set.</param>
     /// <param name="seconds">How long each of them runs in a turn.</param>
@@ -40,8 +43,9 @@ public static class StepClock
     {
         Simulation[] batch = new Simulation[Math.Max(1, Chunk / scene.Steps.Count)];
         Stopwatch clock = new Stopwatch();
+        Stopwatch all = Stopwatch.StartNew();
         long done = 0;
-        while (clock.Elapsed.TotalSeconds < seconds)
+        while (clock.Elapsed.TotalSeconds < seconds && (done == 0 || all.Elapsed.TotalSeconds < MostPerSecond * seconds))
         {
             for (int i = 0; i < batch.Length; i++)
                 batch[i] = new Simulation(scene, mayLeaveOut);

@@ -2,8 +2,8 @@ namespace RigidBodyDynamics.Lab.Explain;
 
 /// <summary>What is left out of a body's motion, and the time that saves.</summary>
 /// <param name="Omission">What, and why.</param>
-/// <param name="Without">A step as it is, ns.</param>
-/// <param name="With">A step with it, ns; NaN where there is nothing to put back.</param>
+/// <param name="Without">A step as it is, ns; NaN where it was not measured.</param>
+/// <param name="With">A step with it, ns; NaN where there is nothing to put back, or it was not measured.</param>
 internal sealed record Saving(Omission Omission, double Without, double With)
 {
     private const int Turns = 12;
@@ -11,6 +11,10 @@ internal sealed record Saving(Omission Omission, double Without, double With)
 
     /// <summary>Never less than nothing: what is not there cannot cost time, only the clock can be wrong.</summary>
     public double Nanoseconds => Math.Max(0, With - Without);
+
+    /// <summary>What is left out, without the time it saves.</summary>
+    public static IReadOnlyList<Saving> NotMeasured(IReadOnlyList<Omission> leftOut) =>
+        [.. leftOut.Select(omission => new Saving(omission, double.NaN, double.NaN))];
 
     /// <summary>Takes the time of a body as it is and with each thing put back, in turns.</summary>
     /// <param name="plan">The body.</param>

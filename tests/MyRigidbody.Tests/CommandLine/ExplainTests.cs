@@ -27,4 +27,23 @@ public sealed class ExplainTests
         Assert.That(body.GetProperty("leftOut")[0].GetProperty("what").GetString(), Is.EqualTo("the general free rotation"));
         Assert.That(body.GetProperty("leftOut")[0].GetProperty("nanosecondsWithIt").GetDouble(), Is.GreaterThan(0));
     }
+
+    [TestCase(10, 0)]
+    [TestCase(13, 3)]
+    public void Of_many_bodies_that_move_differently_the_first_are_measured(int different, int notMeasured)
+    {
+        using TemporaryFolder folder = new();
+        IEnumerable<string> bodies = Enumerable.Range(1, different).Select(i => $$"""{ "name": "b{{i}}", "effects": [{ "gravity": [0, -{{i}}, 0] }] }""");
+        File.WriteAllText(folder.File("many.json"), $$"""{ "schema": "rigid-body-scene/1", "name": "n", "step": 0.02, "steps": 50, "bodies": [{{string.Join(",", bodies)}}] }""");
+
+        LabProcess run = LabProcess.Run(folder.Path, "explain", "many.json");
+
+        Assert.That(run.ExitCode, Is.Zero, run.Error);
+        string[] parts = run.Output.Split("\n\n");
+        Assert.That(parts, Has.Length.EqualTo(different));
+        Assert.That(parts.Select(part => part.Contains("; saves ")), Is.EqualTo(parts.Select((_, i) => i < 10)));
+        Assert.That(parts, Has.All.Contains("left out"));
+        Assert.That(
+            parts.Count(part => part.Contains("left out (what that saves is measured for the first 10 bodies that move differently):")), Is.EqualTo(notMeasured));
+    }
 }
