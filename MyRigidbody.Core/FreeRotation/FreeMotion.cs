@@ -27,7 +27,9 @@ namespace RigidBodyDynamics
             if (_coasting.LinearFactorPerStep != 1 || _coasting.AngularFactorPerStep != 1)
                 throw Guard.Refused("effects", "a factor per step", "must not depend on the step");
 
-            _form = FreeTops.Choose(body, new Maker(body));
+            _coasting.Acceleration = body.Lock.Moving(_coasting.Acceleration);
+            BodyDescription held = body.Copy(body.Name, Bearing.Of(body.Lock, body.Mass)?.Mass ?? body.Mass);
+            _form = FreeTops.Choose(held, new Maker(held));
         }
 
         /// <summary>

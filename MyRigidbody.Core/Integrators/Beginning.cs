@@ -37,6 +37,9 @@ namespace RigidBodyDynamics
         /// <summary>False for a body that does not rotate.</summary>
         public bool CanTurn => _body.CanTurn;
 
+        /// <summary>For the one rule that holds a body itself (<see cref="Rule.HoldsAxes"/>).</summary>
+        internal Locks Lock => _body.Lock;
+
         /// <summary>For the lab's rules.</summary>
         public LabSettings Lab => _body.Lab;
 

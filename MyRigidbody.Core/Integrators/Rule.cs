@@ -100,6 +100,9 @@ namespace RigidBodyDynamics
         /// <summary>Why a body's rotation is simpler by this rule than that of any body; null if it is not.</summary>
         internal virtual string Simpler(BodyDescription body) => null;
 
+        /// <summary>True if the rule itself holds a body at its locked axes; for all others a <see cref="Bearing"/> does.</summary>
+        internal virtual bool HoldsAxes => false;
+
         /// <summary>True if a constant force is part of what a body coasts with by this rule, and no push.</summary>
         internal virtual bool CoastsUnderForces => true;
 
@@ -175,6 +178,8 @@ namespace RigidBodyDynamics
         // a force wakes it
         internal override bool CoastsUnderForces => false;
 
+        internal override bool HoldsAxes => true;
+
         // it sleeps after a while, and that is not known before
         internal override bool Coasts(BodyDescription body, StretchPlan stretch) => false;
 
@@ -190,7 +195,9 @@ namespace RigidBodyDynamics
         internal override string Rotation(BodyDescription body) => "free rotation, split into three (order 2)";
 
         internal override TResult Use<TResult>(BodyDescription body, IRuleUse<TResult> use) =>
-            body.CanTurn ? use.With<Composition<SplitTop, Order2>>() : use.With<Composition<HeldTop, Order2>>();
+            !body.CanTurn ? use.With<Composition<HeldTop, Order2>>()
+            // ω of a body with locked axes stays: nothing to split
+            : (body.Lock & Locks.Turn) != 0 ? use.With<Composition<SphericalTop, Order2>>() : use.With<Composition<SplitTop, Order2>>();
     }
 
     /// <summary>A rule whose free rotation is chosen by the body's moments: each body pays for what it is.</summary>

@@ -129,13 +129,7 @@ namespace RigidBodyDynamics
         {
             Guard.NotNull(description, nameof(description));
             Mover mover = Changing();
-            BodyState state = MassChange.Of(mover.State, Mass, description.Mass, keeping);
-            if (!description.CanMove)
-                state.Velocity = Vector3d.Zero;
-
-            if (!description.CanTurn)
-                state.AngularVelocity = Vector3d.Zero;
-
+            BodyState state = description.Lock.Applied(MassChange.Of(mover.State, Mass, description.Mass, keeping), description.Mass);
             _simulation.Plan(this, description, state, _simulation.MayLeaveOut);
             _simulation.Sort(this);
         }

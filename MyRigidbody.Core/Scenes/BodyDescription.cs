@@ -7,6 +7,9 @@ namespace RigidBodyDynamics
     {
         // every stretch of time holds its own sum, so memory goes with the square
         private const int MostEffects = 1000;
+
+        // of an angular velocity about a locked axis, that of the rest
+        private const double Rounded = 1e-12;
         private readonly List<Effect> _effects = new List<Effect>();
         private BodyState _start = BodyState.AtRest;
         private Vector3d? _inBody;
@@ -56,11 +59,22 @@ namespace RigidBodyDynamics
 
         internal Vector3d? GivenInBody => _inBody;
 
-        /// <summary>False for a body that does not translate; it is not charged for it.</summary>
-        public bool CanMove { get; set; } = true;
+        /// <summary>Axes along which it cannot move and about which it cannot turn.</summary>
+        public Locks Lock { get; set; }
 
-        /// <summary>False for a body that does not rotate; it is not charged for it.</summary>
-        public bool CanTurn { get; set; } = true;
+        /// <summary>Short for no and for all of <see cref="Locks.Move"/>.</summary>
+        public bool CanMove
+        {
+            get => (Lock & Locks.Move) != Locks.Move;
+            set => Lock = value ? Lock & ~Locks.Move : Lock | Locks.Move;
+        }
+
+        /// <summary>Short for no and for all of <see cref="Locks.Turn"/>.</summary>
+        public bool CanTurn
+        {
+            get => (Lock & Locks.Turn) != Locks.Turn;
+            set => Lock = value ? Lock & ~Locks.Turn : Lock | Locks.Turn;
+        }
 
         /// <summary>For the lab's integrators.</summary>
         public LabSettings Lab { get; set; } = new LabSettings();
@@ -100,8 +114,7 @@ namespace RigidBodyDynamics
             {
                 Rule = Rule,
                 Start = Start,
-                CanMove = CanMove,
-                CanTurn = CanTurn,
+                Lock = Lock,
                 Lab = Lab?.Copy(),
                 Unity = Unity?.Copy(),
             };
@@ -146,11 +159,13 @@ namespace RigidBodyDynamics
             if (!Guard.IsFinite(Conserved.KineticEnergy(unturned, Mass)))
                 throw Guard.Refused("angularVelocity", state.AngularVelocity, "must leave a finite kinetic energy");
 
-            if (!CanMove && !state.Velocity.IsZero)
-                throw Guard.Refused("velocity", state.Velocity, "must be zero where canMove is false");
+            BodyState left = Lock.Applied(state, Mass);
+            if (left.Velocity != state.Velocity)
+                throw Guard.Refused("velocity", state.Velocity, "must be zero along the locked " + Lock.MoveNames());
 
-            if (!CanTurn && !state.AngularVelocity.IsZero)
-                throw Guard.Refused("angularVelocity", state.AngularVelocity, "must be zero where canTurn is false");
+            // in world axes it has been rounded
+            if ((left.AngularVelocity - state.AngularVelocity).Length > Rounded * state.AngularVelocity.Length)
+                throw Guard.Refused("angularVelocity", state.AngularVelocity, "must be zero about the locked " + Lock.TurnNames());
         }
     }
 }

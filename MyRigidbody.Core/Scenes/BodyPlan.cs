@@ -47,9 +47,9 @@ namespace RigidBodyDynamics
             }
 
             LeftOut = mayLeaveOut & ((turns || !body.CanTurn ? 0 : Omissions.Rotation) | (moves || !body.CanMove ? 0 : Omissions.Translation));
-            Body = body.Copy(body.Name, body.Mass);
-            Body.CanTurn &= (LeftOut & Omissions.Rotation) == 0;
-            Body.CanMove &= (LeftOut & Omissions.Translation) == 0;
+            Bearing = Rule.HoldsAxes ? null : Bearing.Of(body.Lock, body.Mass);
+            Body = body.Copy(body.Name, Bearing?.Mass ?? body.Mass);
+            Body.Lock |= ((LeftOut & Omissions.Rotation) == 0 ? 0 : Locks.Turn) | ((LeftOut & Omissions.Translation) == 0 ? 0 : Locks.Move);
         }
 
         /// <summary>How its time is divided.</summary>
@@ -69,6 +69,9 @@ namespace RigidBodyDynamics
 
         /// <summary>The body as the scene describes it.</summary>
         public BodyDescription Asked { get; }
+
+        /// <summary>What the locks do that leave some axes free, if the rule does not do it; else null.</summary>
+        internal Bearing Bearing { get; }
 
         internal Omissions MayLeaveOut { get; }
 

@@ -36,13 +36,13 @@ namespace RigidBodyDynamics
             BodyDescription body = _plan.Body;
             bool isExact = (_plan.Rule.Keeps & Keeps.Energy) != 0;
             if (body.CanMove)
-                parts.Add("drift");
+                parts.Add((body.Lock & Locks.Move) == 0 ? "drift" : "drift along " + (~body.Lock).MoveNames());
 
             foreach (ICoast coast in Guard.NotNull(stretch, nameof(stretch)).Coasts)
                 parts.Add(coast + (isExact && (coast.Traits & PushTraits.OncePerStep) == 0 ? " (closed form)" : string.Empty));
 
             if (body.CanTurn)
-                parts.Add(_plan.Rule.Rotation(body));
+                parts.Add((body.Lock & Locks.Turn) == 0 ? _plan.Rule.Rotation(body) : "rotation about " + (~body.Lock).TurnNames() + (isExact ? " (exact)" : string.Empty));
 
             if (_plan.Rule.Settings(body) is string settings)
                 parts.Add(settings);
@@ -112,6 +112,8 @@ namespace RigidBodyDynamics
                 Add("rotation", "it starts without spin and nothing turns it", asked, Steps & ~Omissions.Rotation);
             else if (!asked.CanTurn)
                 Add("rotation", "the scene says that it cannot turn", null, Steps);
+            else if ((asked.Lock & Locks.Turn) != 0)
+                Add("rotation about " + asked.Lock.TurnNames(), "locked", null, Steps);
             else if (_plan.Rule.Simpler(_plan.Body) is string simpler)
                 Add("the general free rotation", simpler, ThreeMoments(asked), Steps);
 
@@ -119,6 +121,8 @@ namespace RigidBodyDynamics
                 Add("translation", "it starts at rest and nothing moves it", asked, Steps & ~Omissions.Translation);
             else if (!asked.CanMove)
                 Add("translation", "the scene says that it cannot move", null, Steps);
+            else if ((asked.Lock & Locks.Move) != 0)
+                Add("motion along " + asked.Lock.MoveNames(), "locked", null, Steps);
 
             PushTraits acting = PushTraits.None, pushing = PushTraits.None;
             foreach (Effect effect in asked.Effects)

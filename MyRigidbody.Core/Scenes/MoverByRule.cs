@@ -77,7 +77,7 @@ namespace RigidBodyDynamics
         {
             Arrive(mayCoast: true);
             TIntegrator motion = _now.Motion;
-            motion.Push(impulse);
+            motion.Push(Plan.Bearing == null ? impulse : Plan.Bearing.Left(impulse, motion.State.Orientation));
             if (!motion.IsFinite)
                 throw Guard.Refused("impulse", impulse.Force.IsFinite && impulse.Force.LengthSquared > 0 ? impulse.Force : impulse.Torque, "must leave a finite velocity");
 

@@ -51,23 +51,24 @@ namespace RigidBodyDynamics
         public Stretch<TIntegrator> Bind<TSum>(TSum sum, int next) where TSum : struct, IPush
         {
             IReadOnlyList<PushEffect> pushes = _stretch.Pushes;
-            if (next == pushes.Count)
+            Bearing held = _plan.Bearing;
+            if (next == pushes.Count && (held == null || _loaded == null))
                 return End(sum);
 
-            if (CanCompile && next < MostTyped && !_isWatched)
+            if (CanCompile && next < MostTyped && !_isWatched && held == null)
                 return pushes[next].Join(sum, this, next + 1);
 
-            IPush[] rest = new IPush[pushes.Count - next];
-            for (int i = 0; i < rest.Length; i++)
-            {
-                PushEffect push = pushes[next + i];
-                rest[i] = _isWatched ? new Watched(push, _plan.Body) : push.Push;
-            }
+            List<IPush> rest = new List<IPush>();
+            for (int i = next; i < pushes.Count; i++)
+                rest.Add(_isWatched ? new Watched(pushes[i], _plan.Body) : pushes[i].Push);
 
-            return End(new Both<TSum, Many>(sum, new Many(rest)));
+            if (held != null && _loaded != null)
+                rest.Add(new Loaded(_loaded));
+
+            return End(new Both<TSum, Many>(sum, new Many((held == null ? rest : rest.ConvertAll(held.On)).ToArray())));
         }
 
-        private Stretch<TIntegrator> End<TSum>(TSum sum) where TSum : struct, IPush => _loaded == null
+        private Stretch<TIntegrator> End<TSum>(TSum sum) where TSum : struct, IPush => _loaded == null || _plan.Bearing != null
             ? new Stretch<TIntegrator, TSum>(_stretch.End, _stretch.Coasting, sum)
             : (Stretch<TIntegrator>)new Stretch<TIntegrator, Both<TSum, Loaded>>(
                 _stretch.End, _stretch.Coasting, new Both<TSum, Loaded>(sum, new Loaded(_loaded)));

@@ -34,6 +34,10 @@ namespace RigidBodyDynamics
                     Add(push);
                 }
             }
+
+            _coasting.Acceleration = body.Lock.Moving(_coasting.Acceleration);
+            if ((Does & PushTraits.Turns) != 0 && (body.Lock & Locks.Turn) != 0)
+                Does |= PushTraits.ReadsOrientation;
         }
 
         /// <summary>Its first step.</summary>

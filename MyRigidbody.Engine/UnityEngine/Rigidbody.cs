@@ -8,6 +8,7 @@ namespace UnityEngine
     {
         private readonly PhysicsBody _body = new PhysicsBody();
         private float _mass = 1, _drag, _angularDrag = 0.05f, _maxAngularVelocity = 7, _sleepThreshold = 0.005f;
+        private RigidbodyConstraints _constraints;
         private Vector3? _inertiaTensor;
         private Quaternion _inertiaTensorRotation = Quaternion.identity;
         private Vector3? _centerOfMass;
@@ -20,10 +21,25 @@ namespace UnityEngine
 
         public float sleepThreshold { get => _sleepThreshold; set => Set(ref _sleepThreshold, value); }
 
-        /// <summary>Moments about the principal axes: those of the collider until a script sets others.</summary>
+        public RigidbodyConstraints constraints { get => _constraints; set => Set(ref _constraints, value); }
+
+        public bool freezeRotation
+        {
+            get => (_constraints & RigidbodyConstraints.FreezeRotation) == RigidbodyConstraints.FreezeRotation;
+            set => constraints = value ? _constraints | RigidbodyConstraints.FreezeRotation : _constraints & ~RigidbodyConstraints.FreezeRotation;
+        }
+
+        /// <summary>
+        /// Moments about the principal axes: those of the collider until a script sets others, and 0 where the rotation is frozen.
+        /// </summary>
         public Vector3 inertiaTensor
         {
-            get => _inertiaTensor ?? SolidBox();
+            get
+            {
+                Vector3 free = _inertiaTensor ?? SolidBox();
+                return new Vector3(IsFree(Locks.TurnX) ? free.x : 0, IsFree(Locks.TurnY) ? free.y : 0, IsFree(Locks.TurnZ) ? free.z : 0);
+            }
+
             set
             {
                 _inertiaTensor = value;
@@ -123,9 +139,10 @@ namespace UnityEngine
         }
 
         private BodyDescription Describe() => new BodyDescription("Rigidbody", MassProperties.FromPrincipal(
-            mass, inertiaTensor.Exact(), inertiaTensorRotation.Exact(), centerOfMass.Exact()))
+            mass, UnitySettings.Moments(inertiaTensor.Exact(), out Locks frozen), inertiaTensorRotation.Exact(), centerOfMass.Exact()))
         {
             Rule = Rules.UnityRigidbody,
+            Lock = frozen | Locked,
             Unity = new UnitySettings
             {
                 Drag = _drag,
@@ -134,6 +151,11 @@ namespace UnityEngine
                 SleepThreshold = _sleepThreshold,
             },
         };
+
+        // Unity's numbers are twice the library's
+        private Locks Locked => (Locks)((int)_constraints / 2);
+
+        private bool IsFree(Locks axis) => (Locked & axis) == 0;
 
         private (Vector3 Position, Quaternion Rotation) Pose()
         {
@@ -162,6 +184,22 @@ namespace UnityEngine
             field = value;
             _body.Change();
         }
+    }
+
+    /// <summary>Axes of the world along which a body cannot move, and its own about which it cannot turn, with Unity's numbers.</summary>
+    [System.Flags]
+    public enum RigidbodyConstraints
+    {
+        None = 0,
+        FreezePositionX = 2,
+        FreezePositionY = 4,
+        FreezePositionZ = 8,
+        FreezePosition = 14,
+        FreezeRotationX = 16,
+        FreezeRotationY = 32,
+        FreezeRotationZ = 64,
+        FreezeRotation = 112,
+        FreezeAll = 126,
     }
 
     /// <summary>What the numbers of a push are, with Unity's numbers.</summary>

@@ -19,8 +19,9 @@ internal static class BodyReader
         BodyDescription body = place.Make(() => new BodyDescription(name, mass));
         body.Rule = rule;
         ReadStart(fields, body);
-        body.CanMove = fields.Or("canMove", true, flag => flag.Flag());
-        body.CanTurn = fields.Or("canTurn", true, flag => flag.Flag());
+        body.Lock = (fields.Optional("lock") is Place locks ? Locked(locks.Fields()) : Locks.None)
+            | (fields.Or("canMove", true, flag => flag.Flag()) ? Locks.None : Locks.Move)
+            | (fields.Or("canTurn", true, flag => flag.Flag()) ? Locks.None : Locks.Turn);
         bool isLabs = LabIntegrators.Contains(rule.Name), isUnitys = rule == Rules.UnityRigidbody;
         if (fields.OnlyIf(isLabs, "lab", $"is for {string.Join(" and ", LabIntegrators)} only, and this body moves by {rule.Name}") is Place lab)
         {
@@ -50,6 +51,18 @@ internal static class BodyReader
 
         return body;
     }
+
+    /// <summary>Axes as letters: of the world for moving, principal axes for turning.</summary>
+    public static Locks Locked(Fields fields)
+    {
+        Locks locked = fields.Or("move", Locks.None, axes => Axes(axes, Locks.MoveX)) | fields.Or("turn", Locks.None, axes => Axes(axes, Locks.TurnX));
+        fields.End();
+        return locked;
+    }
+
+    // the number of a word is the sum of 1 for x, 2 for y and 4 for z
+    private static Locks Axes(Place place, Locks first) =>
+        (Locks)((int)first * place.OneOf(string.Empty, "x", "y", "xy", "z", "xz", "yz", "xyz"));
 
     private static void ReadStart(Fields fields, BodyDescription body)
     {

@@ -61,11 +61,13 @@ internal static class RecordingReader
     private static BodyDescription Body(Fields fields, string name)
     {
         double mass = Number(fields, "mass");
-        Vector3d moments = Vector(fields, "inertiaTensor"), center = Vector(fields, "centerOfMass");
+        Vector3d moments = UnitySettings.Moments(Vector(fields, "inertiaTensor"), out Locks frozen), center = Vector(fields, "centerOfMass");
         Quaterniond frame = Turn(fields, "inertiaTensorRotation");
+        Locks locked = frozen | (fields.Optional("lock") is Place locks ? BodyReader.Locked(locks.Fields()) : Locks.None);
         MassProperties properties = fields.Place.Make(() => MassProperties.FromPrincipal(mass, moments, frame, center));
         BodyDescription body = fields.Place.Make(() => new BodyDescription(name, properties));
         body.Rule = Rules.UnityRigidbody;
+        body.Lock = locked;
         body.Start = new BodyState(
             Vector(fields, "position"),
             Turn(fields, "rotation"),

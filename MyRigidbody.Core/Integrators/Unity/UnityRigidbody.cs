@@ -8,12 +8,13 @@ namespace RigidBodyDynamics
     {
         private const string Fits = "must fit the precision of UnityRigidbody";
 
-        private RealVector<R> _c, _v, _w, _centerOfMass, _inverseMoments, _moments, _gravity;
+        private RealVector<R> _c, _v, _w, _centerOfMass, _inverseMasses, _inverseMoments, _moments, _gravity;
         private RealQuaternion<R> _q, _frame;
         private Real<R> _inverseMass, _h, _keepV, _keepW, _maxW2, _decayV, _decayW;
         private WakeCounter<R> _wake;
         private MassProperties _mass;
         private UnitySettings _unity;
+        private Locks _lock;
         private bool _canMove, _canTurn, _decays;
 
         public BodyState State
@@ -50,12 +51,16 @@ namespace RigidBodyDynamics
             // those may over- or underflow: a body that nothing turns keeps its spin without them
             _inverseMoments = RealVector<R>.From(_mass.PrincipalMoments).Inverse();
             _moments = _inverseMoments.Inverse();
+            // a locked axis has an infinite mass or moment, and what a script sets along it is gone in the next step
+            _lock = body.Lock;
+            _inverseMoments = RealVector<R>.From(_lock.Turning(_inverseMoments.ToDouble()));
+            _inverseMasses = RealVector<R>.From(_lock.Moving((double)_inverseMass * new Vector3d(1, 1, 1)));
             _centerOfMass = Fitting(_mass.CenterOfMass, "centerOfMass");
             _frame = Unit(_mass.PrincipalFrame, "frame");
             RealQuaternion<R> orientation = Unit(start.Orientation, "orientation");
             _c = Fitting(start.Position, "position") + orientation.Rotate(_centerOfMass);
             _q = orientation * _frame;
-            _v = Fitting(start.Velocity, "velocity");
+            _v = Fitting(_lock.Moving(start.Velocity), "velocity");
             _w = Fitting(start.AngularVelocity, "angularVelocity");
             _wake = new WakeCounter<R>(_unity.WakeCounter, _unity.SleepThreshold);
             IsAsleep = false;
@@ -72,7 +77,7 @@ namespace RigidBodyDynamics
             _wake.Wake();
             IsAsleep = false;
             if (_canMove)
-                _v = _v + force * _inverseMass;
+                _v = _v + force.Scale(_inverseMasses);
 
             if (_canTurn && !torque.IsZero)
                 _w = _w + _q.TransformDiagonal(_inverseMoments, torque);
@@ -81,7 +86,7 @@ namespace RigidBodyDynamics
         public void Prepare(double duration, in Coasting coasting)
         {
             _h = duration;
-            _gravity = RealVector<R>.From(coasting.Acceleration);
+            _gravity = RealVector<R>.From(_lock.Moving(coasting.Acceleration));
             _keepV = (1.0 - (Real<R>)_unity.Drag * _h).AtLeast(0.0);
             _keepW = (1.0 - (Real<R>)_unity.AngularDrag * _h).AtLeast(0.0);
             Real<R> maxW = _unity.MaxAngularVelocity;
@@ -99,7 +104,7 @@ namespace RigidBodyDynamics
             push.At(now, seen, _mass, ref load);
             RealVector<R> force = RealVector<R>.From(load.Force);
             RealVector<R> torque = RealVector<R>.From(load.TorqueInWorld(seen.Orientation));
-            RealVector<R> a = force * _inverseMass;
+            RealVector<R> a = force.Scale(_inverseMasses);
             RealVector<R> alpha = torque.IsZero ? torque : _q.TransformDiagonal(_inverseMoments, torque);
             if (!(force.IsZero && torque.IsZero))
                 _wake.Wake();

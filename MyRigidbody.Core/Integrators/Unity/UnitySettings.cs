@@ -1,3 +1,5 @@
+using System;
+
 namespace RigidBodyDynamics
 {
     /// <summary>What a script can set on Unity's Rigidbody, with Unity's defaults. For <c>UnityRigidbody</c> only.</summary>
@@ -36,6 +38,18 @@ namespace RigidBodyDynamics
 
         /// <summary>The lab's q + [0, ½ Δt ω] q in place of the exact turn: only to show what that rule does.</summary>
         public bool FirstOrderOrientation { get; set; }
+
+        /// <summary>
+        /// Moments from <c>Rigidbody.inertiaTensor</c>, which has 0 about an axis that the body is frozen at: the largest of the
+        /// others stands there instead, or 1, and the axis is locked.
+        /// </summary>
+        public static Vector3d Moments(Vector3d inertiaTensor, out Locks frozen)
+        {
+            Vector3d i = inertiaTensor;
+            double largest = Math.Max(i.X, Math.Max(i.Y, i.Z)), other = largest > 0 ? largest : 1;
+            frozen = (i.X == 0 ? Locks.TurnX : 0) | (i.Y == 0 ? Locks.TurnY : 0) | (i.Z == 0 ? Locks.TurnZ : 0);
+            return new Vector3d(i.X == 0 ? other : i.X, i.Y == 0 ? other : i.Y, i.Z == 0 ? other : i.Z);
+        }
 
         /// <summary>The same settings, to be changed without changing these.</summary>
         public UnitySettings Copy() => (UnitySettings)MemberwiseClone();

@@ -98,6 +98,18 @@ public sealed class BatchBitsTests
         }
     }
 
+    [TestCase(Locks.MoveY)]
+    [TestCase(Locks.TurnX | Locks.TurnZ)]
+    [TestCase(Locks.MoveX | Locks.TurnY)]
+    public void Body_with_locked_axes_does(Locks locked)
+    {
+        foreach (string act in new[] { "nothing", "gravity", "torque in body axes", "all there is" })
+        {
+            BodyDescription body = Acting[act](new BodyDescription("body", Crowding.Masses.ElementAt(1)) { Lock = locked });
+            Crowding.Same(body, TimeSteps.Every(0.02), Crowding.Starts(9, 5, body), [1, 20, 150]);
+        }
+    }
+
     [TestCase(false, false)]
     [TestCase(false, true)]
     [TestCase(true, true)]

@@ -40,7 +40,8 @@ internal static class Crowding
                 _ => 3 * Any(),
             };
             Quaterniond q = new(random.NextDouble() - 0.5, Any());
-            return new BodyState(Any(), q, body.CanMove ? Any() : Vector3d.Zero, body.CanTurn ? q.Normalized.Rotate(w) : Vector3d.Zero);
+            Vector3d x = Any(), v = body.CanMove ? Any() : Vector3d.Zero;
+            return body.Lock.Applied(new BodyState(x, q, v, q.Normalized.Rotate(w)), body.Mass);
         }
 
         Vector3d Any() => new(2 * random.NextDouble() - 1, 2 * random.NextDouble() - 1, 2 * random.NextDouble() - 1);

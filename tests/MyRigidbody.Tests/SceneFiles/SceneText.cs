@@ -31,7 +31,7 @@ internal static class SceneText
                          "gyroscopicForces": true, "precision": "double" } },
             { "name": "c", "inertia": { "solidSphere": 0.5 }, "count": 3, "seed": 7,
               "spread": { "position": [1, 2, 3], "orientation": 0.5, "velocity": [1, 1, 1], "angularVelocity": [1, 2, 1] } },
-            { "name": "d", "inertia": { "solidBox": [1, 1, 2] } },
+            { "name": "d", "inertia": { "solidBox": [1, 1, 2] }, "lock": { "move": "xz", "turn": "y" } },
             { "name": "e", "inertia": { "points": [[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]], "masses": [1, 2, 3, 4] } }
           ]
         }

@@ -13,7 +13,7 @@ public sealed class SchemaTests
     // what a schema cannot say: it looks at one value at a time
     private static readonly string[] OnlyTheReaderKnows =
     [
-        "unique", "sum of the other two", "must be later than from", "is for ", "where canMove", "where canTurn", "scaled to it",
+        "unique", "sum of the other two", "must be later than from", "is for ", "the locked ", "scaled to it",
         "found 0", "as many as there are points", "must be the sum", "must not stand beside points", "must not take more",
         "above zero, found (", "Infinity", "at most 1e18", "finite kinetic energy",
     ];

@@ -63,6 +63,24 @@ public sealed class PhysicsTests
     }
 
     [Test]
+    public void A_frozen_body_moves_and_turns_along_the_rest_and_shows_zeros()
+    {
+        _body.inertiaTensor = new Vector3(2, 3, 4);
+        _body.constraints = RigidbodyConstraints.FreezePositionX | RigidbodyConstraints.FreezeRotationX | RigidbodyConstraints.FreezeRotationZ;
+        _body.AddForce(new Vector3(Mass, Mass, 0), ForceMode.Impulse);
+        _body.AddTorque(new Vector3(1, 1, 1));
+        Physics.Simulate(Step);
+
+        Assert.That(_body.inertiaTensor, Is.EqualTo(new Vector3(0, 3, 0)));
+        Assert.That((_body.velocity - Vector3.up).magnitude, Is.LessThan(1e-6)); // measured 0
+        Assert.That((_body.angularVelocity - new Vector3(0, Step / 3, 0)).magnitude, Is.LessThan(1e-8)); // measured 0
+        _body.freezeRotation = true;
+        Assert.That(_body.constraints, Is.EqualTo(RigidbodyConstraints.FreezePositionX | RigidbodyConstraints.FreezeRotation));
+        _body.freezeRotation = false;
+        Assert.That((_body.freezeRotation, _body.inertiaTensor), Is.EqualTo((false, new Vector3(2, 3, 4))));
+    }
+
+    [Test]
     public void Relative_pushes_are_along_the_axes_of_the_body()
     {
         _body.rotation = Quaternion.AngleAxis(90, Vector3.forward);

@@ -52,7 +52,7 @@ namespace RigidBodyDynamics.Scripts
 
         /// <summary>Mass and inertia, as the engine counts them.</summary>
         public MassProperties Mass => MassProperties.FromPrincipal(
-            _body.mass, _body.inertiaTensor.Double(), _body.inertiaTensorRotation.Double(), _body.centerOfMass.Double());
+            _body.mass, UnitySettings.Moments(_body.inertiaTensor.Double(), out _), _body.inertiaTensorRotation.Double(), _body.centerOfMass.Double());
 
         private void Awake()
         {

@@ -105,6 +105,21 @@ namespace RigidBodyDynamics.Scripts
             Say("linearVelocity", List(EngineVersions.Velocity(body)));
             Say("angularVelocity", List(body.angularVelocity));
             Say("wakeCounter", Number(WakeCounter));
+            if (body.constraints != RigidbodyConstraints.None)
+                Say("lock", "{\"move\": " + Axes(body.constraints, RigidbodyConstraints.FreezePositionX) + ", \"turn\": " + Axes(body.constraints, RigidbodyConstraints.FreezeRotationX) + "}");
+        }
+
+        // Unity counts x, y, z in powers of two, from the first
+        private static string Axes(RigidbodyConstraints frozen, RigidbodyConstraints first)
+        {
+            StringBuilder axes = new StringBuilder();
+            for (int i = 0; i < 3; i++)
+            {
+                if (((int)frozen & ((int)first << i)) != 0)
+                    axes.Append("xyz"[i]);
+            }
+
+            return Quoted(axes.ToString());
         }
 
         // the sheet's mass and damping: nobody but the script itself knows what it counts with

@@ -44,6 +44,26 @@ namespace RigidBodyDynamics.Scripts.Tests.Play
             IsComplete(rows, body.State);
         }
 
+        [UnityTest]
+        public IEnumerator A_recording_of_a_frozen_body_says_where_it_is_frozen()
+        {
+            string folder = Path.Combine(Application.temporaryCachePath, "recordings");
+            DefaultRigidbody body = MakeDefault();
+            body.GetComponent<Rigidbody>().constraints = RigidbodyConstraints.FreezePositionY | RigidbodyConstraints.FreezeRotationX | RigidbodyConstraints.FreezeRotationZ;
+            Experiment experiment = Make<Experiment>();
+            yield return new WaitForFixedUpdate();
+            experiment.Record();
+            yield return new WaitForFixedUpdate();
+            experiment.EndRecording(folder);
+            string json = File.ReadAllText(experiment.LastRecording);
+            Directory.Delete(folder, true);
+
+            Assert.That(json, Does.Contain("\"lock\": {\"move\": \"y\", \"turn\": \"xz\"},"));
+            // Unity's manual: what is frozen has a moment of 0
+            Assert.That(List(json, "inertiaTensor"), Is.EqualTo(new[] { 0, 1f / 6, 0 }).Within(1e-6f));
+            Assert.That(body.Mass.PrincipalMoments.Y, Is.EqualTo(1.0 / 6).Within(1e-6));
+        }
+
         private static void IsComplete(string json)
         {
             float[] force = List(json, "force"), torque = List(json, "torque");
