@@ -31,6 +31,7 @@ namespace RigidBodyDynamics.BitHash
 
             Free(ref hash);
             HardBodies.Add(ref hash);
+            Lives.Add(ref hash);
             return hash.Value;
         }
 

@@ -73,7 +73,9 @@ public sealed class RefusedPushTests
             () => gone.State = BodyState.AtRest, () => gone.Change(Scenery.Body("Exact")), () => gone.Between(0.5), () => _ = gone.IsAsleep,
             () => _ = gone.KineticEnergy,
         })
+        {
             Assert.That(act, Throws.InvalidOperationException.With.Message.Contains("\"gone\" (removed)"));
+        }
 
         Body elsewhere = other.Add(Scenery.Body("Exact", "elsewhere"));
         Assert.That(() => simulation.Remove(elsewhere), Throws.ArgumentException.With.Message.Contains("\"elsewhere\""));
