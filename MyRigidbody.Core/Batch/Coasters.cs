@@ -64,6 +64,25 @@ namespace RigidBodyDynamics
             Settle(from / _width, step);
         }
 
+        /// <summary>True if the body in a place has a closed form.</summary>
+        public bool HasForm(int place) => _anchored[place] != Never;
+
+        /// <summary>Nobody is anywhere.</summary>
+        public void Clear()
+        {
+            Array.Fill(_anchored, Nobody);
+            Array.Fill(_next, Never);
+        }
+
+        public long[][] Save() => new[] { (long[])_anchored.Clone(), (long[])_at.Clone(), (long[])_next.Clone() };
+
+        public void Restore(long[][] saved)
+        {
+            _anchored = (long[])saved[0].Clone();
+            _at = (long[])saved[1].Clone();
+            _next = (long[])saved[2].Clone();
+        }
+
         /// <summary>Bodies, in whole groups, have been brought back to a step.</summary>
         public void Put(int from, int to, long step)
         {

@@ -75,6 +75,17 @@ namespace RigidBodyDynamics
                 Array.Copy(_numbers, i * _stride + from, other._numbers, i * other._stride + from, to - from);
         }
 
+        /// <summary>Makes them as others are that have as many columns.</summary>
+        public void CopyFrom(Columns other)
+        {
+            if (_numbers.Length != other._numbers.Length)
+                _numbers = new double[other._numbers.Length];
+
+            Array.Copy(other._numbers, _numbers, _numbers.Length);
+            Rows = other.Rows;
+            _stride = other._stride;
+        }
+
         /// <summary>Copies one row over another.</summary>
         public void Move(int from, int to)
         {

@@ -45,26 +45,41 @@ namespace RigidBodyDynamics
         /// <param name="plan">What the bodies do.</param>
         /// <param name="stretch">The stretch of the step.</param>
         /// <param name="place">Where the body is, which stands before the step.</param>
-        /// <param name="number">Its number.</param>
+        /// <param name="handle">The body.</param>
         /// <param name="step">The step.</param>
-        public abstract Exception Blame(BodyPlan plan, int stretch, int place, int number, long step);
+        /// <param name="loaded">Whose load acts besides; null for none.</param>
+        public abstract Exception Blame(BodyPlan plan, int stretch, int place, Body handle, long step, Mover loaded = null);
+
+        /// <summary>An impulse on a body.</summary>
+        public abstract void Push(int place, in Wrench impulse);
+
+        /// <summary>Puts aside a body after a step under a load besides; the one in its place stays. False where it comes to no state.</summary>
+        public abstract bool StepAside(BodyPlan plan, int stretch, int place, long step, Mover loaded);
+
+        /// <summary>Takes a body that was put aside, by its number among them, into a place.</summary>
+        public abstract void TakeBack(int aside, int place);
+
+        /// <summary>Nobody is aside any more.</summary>
+        public abstract void ForgetAside();
+
+        /// <summary>A mover for a body by itself.</summary>
+        /// <param name="plan">What the body does.</param>
+        /// <param name="clock">When it is now.</param>
+        /// <param name="place">Where the body is.</param>
+        /// <param name="since">The step at which it was kept.</param>
+        /// <param name="keptIn">The stretch of that step.</param>
+        /// <param name="stretch">The stretch in which it is.</param>
+        /// <param name="coasts">Whether it coasts since then.</param>
+        public abstract LoneMover Alone(BodyPlan plan, Clock clock, int place, long since, int keptIn, int stretch, bool coasts);
 
         /// <summary>What one thread needs to step parts of the crowd.</summary>
         public abstract Stepper NewStepper(BodyPlan plan);
 
-        protected static Exception Blame<TIntegrator>(BodyPlan plan, int stretch, TIntegrator body, int number, long step)
-            where TIntegrator : struct, IIntegrator
-        {
-            try
-            {
-                StretchBuilder<TIntegrator>.Watched(plan, stretch).Run(ref body, plan.Steps, step, step + 1);
-                return body.IsFinite ? null : new StateOverflowException(plan, step, number);
-            }
-            catch (BrokenEffectException broken)
-            {
-                return new BrokenEffectException(broken, number);
-            }
-        }
+        /// <summary>A copy of all.</summary>
+        public abstract object Save();
+
+        /// <summary>All again as it was copied, with the room there was.</summary>
+        public abstract void Restore(object saved);
     }
 
     /// <summary>Steps parts of a crowd, one part at a time.</summary>

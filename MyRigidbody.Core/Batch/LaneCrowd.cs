@@ -1,5 +1,4 @@
 #if NET
-using System;
 using System.Collections.Generic;
 using Lanes = System.Numerics.Vector<double>;
 
@@ -13,7 +12,7 @@ namespace RigidBodyDynamics
     }
 
     /// <summary>A crowd in columns of numbers, neighbours in lanes. What a single body wants is done by its own rule.</summary>
-    internal abstract class LaneCrowd<TBody, TLanes> : Crowd
+    internal abstract class LaneCrowd<TBody, TLanes> : CrowdOf<TBody>
         where TBody : struct, IIntegrator
         where TLanes : struct, ILaneRule
     {
@@ -47,7 +46,7 @@ namespace RigidBodyDynamics
         {
             TBody one = default(TBody);
             one.Start(new Beginning(body));
-            Carry(ref one, _now.Row(place, isOut: true), isAll: true);
+            In(place, one);
         }
 
         public override void Move(int from, int to)
@@ -79,13 +78,6 @@ namespace RigidBodyDynamics
         // what a body is prepared for is said in its own columns
         public override void Forget(int from, int to) { }
 
-        public override bool HasClosedForm(int place, in Coasting coasting)
-        {
-            TBody one = One(place, isAll: true);
-            one.Prepare(1, coasting);
-            return one.HasClosedForm;
-        }
-
         public override void Keep(int from, int to) => _now.CopyTo(_kept, from, to);
 
         public override void Return(int from, int to) => _kept.CopyTo(_now, from, to);
@@ -98,17 +90,39 @@ namespace RigidBodyDynamics
             Return(from, to);
             for (int i = from; i < to; i++)
             {
-                TBody one = One(i, isAll: true);
+                TBody one = Out(i);
                 one.Prepare(time.High, over);
                 one.Step(new Instant(0, 0), ref leap);
-                Carry(ref one, _now.Row(i, isOut: true), isAll: true);
+                In(i, one);
             }
         }
 
-        public override Exception Blame(BodyPlan plan, int stretch, int place, int number, long step) =>
-            Blame(plan, stretch, One(place, isAll: true), number, step);
+        public override object Save()
+        {
+            Columns[] saved = { new Columns(_now.Count), new Columns(_now.Count) };
+            saved[0].CopyFrom(_now);
+            saved[1].CopyFrom(_kept);
+            return saved;
+        }
+
+        public override void Restore(object saved)
+        {
+            _now.CopyFrom(((Columns[])saved)[0]);
+            _kept.CopyFrom(((Columns[])saved)[1]);
+        }
 
         public override Stepper NewStepper(BodyPlan plan) => new Stepper<TLanes>(plan, _lanes);
+
+        protected override TBody Out(int place) => One(place, isAll: true);
+
+        protected override TBody Kept(int place)
+        {
+            TBody one = _one;
+            Carry(ref one, _kept.Row(place, isOut: false), isAll: true);
+            return one;
+        }
+
+        protected override void In(int place, TBody body) => Carry(ref body, _now.Row(place, isOut: true), isAll: true);
 
         /// <summary>Carries what changes in a body to its row or from there: all of it, or what one sees of it.</summary>
         protected abstract void Carry(ref TBody body, Row row, bool isAll);

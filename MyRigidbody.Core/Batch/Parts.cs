@@ -11,7 +11,7 @@ namespace RigidBodyDynamics
         public const long StepsBetweenLooks = 64;
 
         // enough for a thread to be worth waking, few enough to stay in its cache
-        private const int BodiesOfPart = 1024;
+        public const int BodiesOfPart = 1024;
 
         private readonly Crowd _crowd;
         private readonly Coasters _coasters;
@@ -23,7 +23,6 @@ namespace RigidBodyDynamics
         private int _stretch;
         private bool _coasts, _looksAtStop;
         private long _first, _stop;
-        private Memory<BodyState> _states;
 
         public Parts(BodyPlan plan, Crowd crowd, Coasters coasters, Retrace retrace, Places places)
         {
@@ -71,14 +70,6 @@ namespace RigidBodyDynamics
         /// <summary>Brings the bodies from where they were kept to a step.</summary>
         public void GoBack(long step) => Do(Task.GoBack, step);
 
-        /// <summary>Writes the states at a step, in the order of the bodies' numbers, but those of a part with one that has none.</summary>
-        public void Read(long step, Memory<BodyState> states)
-        {
-            _states = states;
-            Do(Task.Read, step);
-            _states = default(Memory<BodyState>);
-        }
-
         /// <summary>The exception of the first body that failed, and the step, before an end, in which it did; see <see cref="Retrace.Find(Stepper, int, int, ref long)"/>.</summary>
         public Exception FindLost(ref long end)
         {
@@ -109,13 +100,8 @@ namespace RigidBodyDynamics
             else if (_coasts)
                 _coasters.Follow(stepper, from, whole, _stop);
 
-            if (_task != Task.Follow && _task != Task.Read)
-                return;
-
-            if (_crowd.FirstLost(from, to) >= 0)
+            if (_task == Task.Follow && _crowd.FirstLost(from, to) >= 0)
                 Fail(part);
-            else if (_task == Task.Read)
-                Write(from, to);
         }
 
         private void Step(Stepper stepper, int part, int from, int to, int whole)
@@ -147,13 +133,6 @@ namespace RigidBodyDynamics
                 _coasters.Enter(from, to, _stop);
         }
 
-        private void Write(int from, int to)
-        {
-            Span<BodyState> states = _states.Span;
-            for (int i = from; i < to; i++)
-                states[_places.IdAt(i)] = _crowd.StateOf(i);
-        }
-
         private void Fail(int part)
         {
             lock (_failed)
@@ -170,7 +149,6 @@ namespace RigidBodyDynamics
             Follow,
             Keep,
             GoBack,
-            Read,
         }
     }
 }

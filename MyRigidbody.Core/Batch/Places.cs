@@ -3,53 +3,47 @@ using System;
 
 namespace RigidBodyDynamics
 {
-    /// <summary>
-    /// Which body is in which place. Places are without gaps: the last body takes that of one who leaves. A body's number
-    /// stays, and the number of one who has left is given to the next who comes.
-    /// </summary>
+    /// <summary>Which body is in which place. Places are without gaps: the last body takes that of one who leaves.</summary>
     internal sealed class Places
     {
-        // of an id the place, or where it is free −2 − the next free id; of a place the id
-        private int[] _places = Array.Empty<int>(), _ids = Array.Empty<int>();
-        private int _free = -1;
+        private Body[] _bodies = Array.Empty<Body>();
 
         public int Count { get; private set; }
 
-        public int EndOfIds { get; private set; }
+        public Body this[int place] => _bodies[place];
 
-        public void Reserve(int capacity)
-        {
-            Array.Resize(ref _places, capacity);
-            Array.Resize(ref _ids, capacity);
-        }
+        public void Reserve(int capacity) => Array.Resize(ref _bodies, capacity);
 
         /// <summary>A body comes and gets the place after the last.</summary>
-        public int Add()
+        public void Add(Body body)
         {
-            int id = _free;
-            if (id < 0)
-                id = EndOfIds++;
-            else
-                _free = -2 - _places[id];
-
-            _places[id] = Count;
-            _ids[Count++] = id;
-            return id;
+            body.Place = Count;
+            _bodies[Count++] = body;
         }
 
-        public void Remove(int id)
+        public void Remove(int place)
         {
-            int place = Of(id), last = _ids[--Count];
-            _ids[place] = last;
-            _places[last] = place;
-            _places[id] = -2 - _free;
-            _free = id;
+            Body last = _bodies[--Count];
+            _bodies[place] = last;
+            last.Place = place;
+            _bodies[Count] = null;
         }
 
-        public int IdAt(int place) => _ids[place];
+        /// <summary>All go.</summary>
+        public void Clear()
+        {
+            Array.Clear(_bodies, 0, Count);
+            Count = 0;
+        }
 
-        public int Of(int id) =>
-            (uint)id < (uint)EndOfIds && _places[id] >= 0 ? _places[id] : throw Guard.Refused(nameof(id), id, "must be the number of a body that is there");
+        public Body[] Save() => _bodies.AsSpan(0, Count).ToArray();
+
+        public void Restore(Body[] bodies)
+        {
+            Clear();
+            foreach (Body body in bodies)
+                Add(body);
+        }
     }
 }
 #endif

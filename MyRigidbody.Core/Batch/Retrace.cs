@@ -56,6 +56,16 @@ namespace RigidBodyDynamics
             _since[from] = Nobody;
         }
 
+        /// <summary>The step at which a body was kept.</summary>
+        public long Since(int place) => _since[place];
+
+        /// <summary>Nobody is anywhere.</summary>
+        public void Clear() => Array.Fill(_since, Nobody);
+
+        public long[] Save() => (long[])_since.Clone();
+
+        public void Restore(long[] since) => _since = (long[])since.Clone();
+
         /// <summary>The stretch in which a step is.</summary>
         public int StretchOf(long step)
         {
@@ -179,14 +189,14 @@ namespace RigidBodyDynamics
             Go(stepper, from, to, step);
             for (int i = from; i < to && !_coasts[stretch]; i++)
             {
-                Exception found = IsMeant(i, step) ? _crowd.Blame(_plan, stretch, i, _places.IdAt(i), step) : null;
+                Exception found = IsMeant(i, step) ? _crowd.Blame(_plan, stretch, i, _places[i], step) : null;
                 if (found != null)
                     return found;
             }
 
             Go(stepper, from, to, step + 1);
             int lost = Lost(from, to, step + 1);
-            return lost < 0 ? null : new StateOverflowException(_plan, step, _places.IdAt(lost));
+            return lost < 0 ? null : new StateOverflowException(_plan, step, _places[lost]);
         }
 
         private void Forward(Stepper stepper, int from, int to, long at, long step)

@@ -4,7 +4,7 @@ using System;
 namespace RigidBodyDynamics
 {
     /// <summary>A crowd for any rule and any push: an array of the rule's own structs.</summary>
-    internal sealed class StructCrowd<TIntegrator> : Crowd where TIntegrator : struct, IIntegrator
+    internal sealed class StructCrowd<TIntegrator> : CrowdOf<TIntegrator> where TIntegrator : struct, IIntegrator
     {
         private TIntegrator[] _now = Array.Empty<TIntegrator>(), _kept = Array.Empty<TIntegrator>();
         private double[] _preparedFor = Array.Empty<double>();
@@ -49,14 +49,6 @@ namespace RigidBodyDynamics
 
         public override void Forget(int from, int to) => Array.Clear(_preparedFor, from, to - from);
 
-        public override bool HasClosedForm(int place, in Coasting coasting)
-        {
-            // which steps it is prepared for does not matter
-            TIntegrator body = _now[place];
-            body.Prepare(1, coasting);
-            return body.HasClosedForm;
-        }
-
         public override void Keep(int from, int to) => Array.Copy(_now, from, _kept, from, to - from);
 
         public override void Return(int from, int to)
@@ -78,10 +70,37 @@ namespace RigidBodyDynamics
             }
         }
 
-        public override Exception Blame(BodyPlan plan, int stretch, int place, int number, long step) =>
-            Blame(plan, stretch, _now[place], number, step);
+        public override object Save()
+        {
+            Saved saved = new Saved();
+            Copy(_now, ref saved.Now);
+            Copy(_kept, ref saved.Kept);
+            return saved;
+        }
+
+        public override void Restore(object saved)
+        {
+            Copy(((Saved)saved).Now, ref _now);
+            Copy(((Saved)saved).Kept, ref _kept);
+            _preparedFor = new double[_now.Length];
+        }
 
         public override Stepper NewStepper(BodyPlan plan) => new Stepper<EachInTurn>(plan, new EachInTurn(this));
+
+        protected override TIntegrator Out(int place) => _now[place];
+
+        protected override TIntegrator Kept(int place) => _kept[place];
+
+        protected override void In(int place, TIntegrator body)
+        {
+            _now[place] = body;
+            _preparedFor[place] = 0;
+        }
+
+        private sealed class Saved
+        {
+            public TIntegrator[] Now = Array.Empty<TIntegrator>(), Kept = Array.Empty<TIntegrator>();
+        }
 
         /// <summary>The same step for one body after another.</summary>
         private struct EachInTurn : ICrowdRule

@@ -11,5 +11,7 @@ namespace RigidBodyDynamics
 
         /// <summary>The same settings, to be changed by themselves.</summary>
         public LabSettings Copy() => new LabSettings { Normalise = Normalise, UnitRotation = UnitRotation };
+
+        internal bool IsLike(LabSettings other) => Normalise == other.Normalise && UnitRotation == other.UnitRotation;
     }
 }

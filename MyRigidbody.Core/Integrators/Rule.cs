@@ -85,7 +85,7 @@ namespace RigidBodyDynamics
         /// <summary>Its name.</summary>
         public sealed override string ToString() => Name;
 
-        internal Mover Build(BodyPlan plan, Clock clock) => Use(plan.Body, new MoverMaker(plan, clock));
+        internal LoneMover Build(BodyPlan plan, Clock clock) => Use(plan.Body, new MoverMaker(plan, clock));
 
         /// <summary>Does something with the rule as a type, the one that suits a body.</summary>
         internal abstract TResult Use<TResult>(BodyDescription body, IRuleUse<TResult> use);
@@ -130,7 +130,7 @@ namespace RigidBodyDynamics
             }
         }
 
-        private sealed class MoverMaker : IRuleUse<Mover>
+        private sealed class MoverMaker : IRuleUse<LoneMover>
         {
             private readonly BodyPlan _plan;
             private readonly Clock _clock;
@@ -141,7 +141,7 @@ namespace RigidBodyDynamics
                 _clock = clock;
             }
 
-            public Mover With<TIntegrator>() where TIntegrator : struct, IIntegrator => new Mover<TIntegrator>(_plan, _clock);
+            public LoneMover With<TIntegrator>() where TIntegrator : struct, IIntegrator => new Mover<TIntegrator>(_plan, _clock);
         }
     }
 

@@ -3,18 +3,12 @@ using System;
 namespace RigidBodyDynamics
 {
     /// <summary>
-    /// A body in motion: the handle that <see cref="Simulation.Add"/> gives. It knows when its body has been removed, and is never
+    /// A body in motion: the handle that <see cref="Simulation.Add(BodyDescription)"/> gives. It knows when its body has been removed, and is never
     /// another's.
     /// </summary>
     public sealed class Body
     {
-        private readonly Simulation _simulation;
-
-        internal Body(Simulation simulation, Mover mover)
-        {
-            _simulation = simulation;
-            Mover = mover;
-        }
+        internal Body(Simulation simulation) => Simulation = simulation;
 
         /// <summary>Its name.</summary>
         public string Name => Plan.Asked.Name;
@@ -41,34 +35,36 @@ namespace RigidBodyDynamics
         /// <exception cref="InvalidOperationException">The body has been removed, or an effect sets a state.</exception>
         public BodyState State
         {
-            get => Here().State;
+            get => Here().StateOf(this);
             set
             {
                 Mover mover = Changing();
                 Plan.Asked.Check(value);
-                Omissions needs = (value.Velocity.IsZero ? 0 : Omissions.Translation) | (value.AngularVelocity.IsZero ? 0 : Omissions.Rotation);
-                mover.Set(value);
+                Omissions needs = BodyPlan.Needs(value);
+                mover.Set(this, value);
                 if ((needs & mover.Plan.LeftOut) != 0)
                 {
-                    _simulation.Plan(this, Plan.Asked, value, Plan.MayLeaveOut & ~needs);
-                    Mover.Set(value);
+                    Simulation.Plan(this, Plan.Asked, value, Plan.MayLeaveOut & ~needs);
+                    Mover.Set(this, value);
                 }
 
-                _simulation.Sort(this);
+                Simulation.Sort(this);
             }
         }
 
         /// <summary>True while its rule has put it to sleep.</summary>
-        public bool IsAsleep => Here().IsAsleep;
+        public bool IsAsleep => Here().IsAsleep(this);
 
         /// <summary>True while nothing is computed for it until its state is read: it sleeps, or coasts along a closed form.</summary>
-        public bool IsDormant => Here().IsDormant;
+        public bool IsDormant => Here().IsDormant(this);
 
         /// <summary>Kinetic energy of the translation and the rotation, J.</summary>
         public double KineticEnergy => Conserved.KineticEnergy(State, Mass);
 
         /// <summary>Angular momentum about the centre of mass, kg m²/s, world axes.</summary>
         public Vector3d AngularMomentum => Conserved.AngularMomentum(State, Mass);
+
+        internal Simulation Simulation { get; }
 
         /// <summary>What moves it until it is planned anew.</summary>
         internal Mover Mover { get; set; }
@@ -82,15 +78,23 @@ namespace RigidBodyDynamics
         /// <summary>True while it is among those that are stepped.</summary>
         internal bool IsStepped { get; set; }
 
+        /// <summary>Its place among those that are moved together.</summary>
+        internal int Place { get; set; }
+
         /// <summary>
         /// The state in the last step: at its beginning for 0, at its end for 1. A body that coasted is followed along its exact
         /// motion; any other goes from pose to pose (orientation by slerp, centre of mass by Hermite's cubic). Until this is asked for
         /// the first time the last step is not kept: a body that is changed after that step stands in its last state.
         /// </summary>
         /// <param name="alpha">0 to 1, for instance <see cref="Simulation.Alpha"/>.</param>
-        public BodyState Between(double alpha) => alpha >= 0 && alpha <= 1
-            ? Here().Between(alpha)
-            : throw Guard.Refused(nameof(alpha), alpha, "must be from 0 to 1");
+        /// <remarks>A body that is stored with others leaves them when this is called first, and allocates.</remarks>
+        public BodyState Between(double alpha)
+        {
+            if (!(alpha >= 0 && alpha <= 1))
+                throw Guard.Refused(nameof(alpha), alpha, "must be from 0 to 1");
+
+            return (Here() as LoneMover ?? Simulation.Alone(Changing(), this)).Between(alpha);
+        }
 
         /// <summary>Pushes with a force (N) at the centre of mass during the next step.</summary>
         public void ApplyForce(Vector3d force, bool inBody = false) =>
@@ -129,9 +133,9 @@ namespace RigidBodyDynamics
         {
             Guard.NotNull(description, nameof(description));
             Mover mover = Changing();
-            BodyState state = description.Lock.Applied(MassChange.Of(mover.State, Mass, description.Mass, keeping), description.Mass);
-            _simulation.Plan(this, description, state, _simulation.MayLeaveOut);
-            _simulation.Sort(this);
+            BodyState state = description.Lock.Applied(MassChange.Of(mover.StateOf(this), Mass, description.Mass, keeping), description.Mass);
+            Simulation.Plan(this, description, state, Simulation.MayLeaveOut);
+            Simulation.Sort(this);
         }
 
         /// <summary>In words.</summary>
@@ -140,14 +144,14 @@ namespace RigidBodyDynamics
         private void Push(in Load load)
         {
             Mover mover = Ready(load);
-            mover.Push(load.BodyForce.IsZero ? load.Wrench : load.At(mover.State.Orientation));
-            _simulation.Sort(this);
+            mover.Push(this, load.BodyForce.IsZero ? load.Wrench : load.At(mover.StateOf(this).Orientation));
+            Simulation.Sort(this);
         }
 
         private void AddLoad(in Load load)
         {
-            Ready(load).Add(load);
-            _simulation.Sort(this);
+            Ready(load).Add(this, load);
+            Simulation.Sort(this);
         }
 
         /// <summary>What moves it, with nothing left out that a load needs.</summary>
@@ -155,7 +159,7 @@ namespace RigidBodyDynamics
         {
             Mover mover = Changing();
             if ((load.Needs & mover.Plan.LeftOut) != 0)
-                _simulation.Plan(this, Plan.Asked, mover.State, Plan.MayLeaveOut & ~load.Needs);
+                Simulation.Plan(this, Plan.Asked, mover.StateOf(this), Plan.MayLeaveOut & ~load.Needs);
 
             return Mover;
         }
@@ -176,7 +180,7 @@ namespace RigidBodyDynamics
         private Mover Changing()
         {
             Here();
-            _simulation.MayBeChanged();
+            Simulation.MayBeChanged();
             return Mover;
         }
 

@@ -130,12 +130,29 @@ namespace RigidBodyDynamics
             return this;
         }
 
+        /// <summary>True if they differ in their starts alone.</summary>
+        internal bool IsLike(BodyDescription other)
+        {
+            bool isLike = Name == other.Name && Mass == other.Mass && Rule == other.Rule && Lock == other.Lock
+                && Lab.IsLike(other.Lab) && Unity.IsLike(other.Unity) && _effects.Count == other._effects.Count;
+            for (int i = 0; isLike && i < _effects.Count; i++)
+                isLike = _effects[i] == other._effects[i];
+
+            return isLike;
+        }
+
         internal int IndexOf(Effect effect) => _effects.IndexOf(effect);
 
         /// <summary>Refuses, by name and value, what only shows when all has been said. A simulation does so before it begins.</summary>
         public void Check()
         {
             Check(Start);
+            CheckAllElse();
+        }
+
+        /// <summary>The same of all but its start.</summary>
+        internal void CheckAllElse()
+        {
             Guard.NotNull(Rule, nameof(Rule));
             Guard.NotNull(Lab, nameof(Lab));
             Guard.NotNull(Unity, nameof(Unity));

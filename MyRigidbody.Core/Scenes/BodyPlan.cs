@@ -29,24 +29,22 @@ namespace RigidBodyDynamics
     /// </summary>
     public sealed class BodyPlan
     {
+        private readonly TimeSteps.Grid _division;
+
         internal BodyPlan(BodyDescription body, TimeSteps steps, Omissions mayLeaveOut, long first = 0)
         {
             body.Check();
             Steps = steps;
+            _division = steps.Division;
             MayLeaveOut = mayLeaveOut;
             Rule = body.Rule;
             Asked = body.Copy(body.Name, body.Mass);
             Stretches = StretchPlan.Divide(body, steps, first);
 
-            bool moves = !body.Start.Velocity.IsZero, turns = !body.Start.AngularVelocity.IsZero;
             foreach (StretchPlan stretch in Stretches)
-            {
                 IsPushed |= stretch.Pushes.Count > 0;
-                moves |= (stretch.Does & PushTraits.Moves) != 0 || !stretch.Coasting.Acceleration.IsZero;
-                turns |= (stretch.Does & PushTraits.Turns) != 0;
-            }
 
-            LeftOut = mayLeaveOut & ((turns || !body.CanTurn ? 0 : Omissions.Rotation) | (moves || !body.CanMove ? 0 : Omissions.Translation));
+            LeftOut = CanLeaveOut(first) & ~Needs(body.Start);
             Bearing = Rule.HoldsAxes ? null : Bearing.Of(body.Lock, body.Mass);
             Body = body.Copy(body.Name, Bearing?.Mass ?? body.Mass);
             Body.Lock |= ((LeftOut & Omissions.Rotation) == 0 ? 0 : Locks.Turn) | ((LeftOut & Omissions.Translation) == 0 ? 0 : Locks.Move);
@@ -74,6 +72,31 @@ namespace RigidBodyDynamics
         internal Bearing Bearing { get; }
 
         internal Omissions MayLeaveOut { get; }
+
+        /// <summary>What a body in a state has, whatever acts on it.</summary>
+        internal static Omissions Needs(in BodyState state) =>
+            (state.Velocity.IsZero ? 0 : Omissions.Translation) | (state.AngularVelocity.IsZero ? 0 : Omissions.Rotation);
+
+        /// <summary>Rotation or translation, where a body at rest has neither from a step on though it could.</summary>
+        internal Omissions CanLeaveOut(long step)
+        {
+            bool moves = !Asked.CanMove, turns = !Asked.CanTurn;
+            // no enumerator: it is asked for every body that comes, and must not allocate
+            for (int i = Stretches.Count - 1; i >= 0 && Stretches[i].End > step; i--)
+            {
+                moves |= (Stretches[i].Does & PushTraits.Moves) != 0 || !Stretches[i].Coasting.Acceleration.IsZero;
+                turns |= (Stretches[i].Does & PushTraits.Turns) != 0;
+            }
+
+            return MayLeaveOut & ((turns ? 0 : Omissions.Rotation) | (moves ? 0 : Omissions.Translation));
+        }
+
+        /// <summary>True if it is the plan of a body that starts at a step, too.</summary>
+        internal bool HoldsFrom(long step) =>
+            step >= Stretches[0].First && (!ChangesAfter(step) || Steps.Division.Equals(_division));
+
+        /// <summary>True if an effect begins or ends after a step.</summary>
+        internal bool ChangesAfter(long step) => Stretches[Stretches.Count - 1].First > step;
 
         internal bool MayCoast => (MayLeaveOut & Omissions.Coasting) != 0;
 

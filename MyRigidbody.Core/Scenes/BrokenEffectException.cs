@@ -23,13 +23,14 @@ namespace RigidBodyDynamics
             Reason = Why(effect, now, thrown);
         }
 
-        /// <summary>The same of a body that is in a batch.</summary>
-        internal BrokenEffectException(BrokenEffectException broken, int number)
-            : base(Guard.OneLine("body \"" + broken.Body + "\" " + number.ToString(CultureInfo.InvariantCulture) + ": " + broken._where + broken.Reason), broken.InnerException)
+        /// <summary>The same of a body that is one of many.</summary>
+        internal BrokenEffectException(BrokenEffectException broken, Body handle)
+            : base(Guard.OneLine("body \"" + broken.Body + "\" " + handle.Index.ToString(CultureInfo.InvariantCulture) + ": " + broken._where + broken.Reason), broken.InnerException)
         {
             _where = broken._where;
             Body = broken.Body;
-            Number = number;
+            Handle = handle;
+            Number = handle.Index;
             Effect = broken.Effect;
             Entry = broken.Entry;
             Time = broken.Time;
@@ -39,7 +40,10 @@ namespace RigidBodyDynamics
         /// <summary>Name of the body.</summary>
         public string Body { get; }
 
-        /// <summary>Its number in a batch; −1 where it is not in one.</summary>
+        /// <summary>The body itself, where it is one of many that are stored together; null where it is not.</summary>
+        public Body Handle { get; }
+
+        /// <summary>The place of <see cref="Handle"/> in <see cref="Simulation.Bodies"/>; −1 where there is none.</summary>
         public int Number { get; }
 
         /// <summary>The effect.</summary>

@@ -2,30 +2,46 @@ using System;
 
 namespace RigidBodyDynamics
 {
-    /// <summary>What moves a body, from one plan to the next.</summary>
+    /// <summary>What moves bodies, from one plan to the next: one body, or many that share a plan.</summary>
     internal abstract class Mover
     {
-        /// <summary>What the program pushes with in one step.</summary>
+        /// <summary>What the program pushes with in one step: the body, or that of many which makes the step.</summary>
         public Load Load = Load.None;
-
-        /// <summary>The last step, kept from the first time that a state in it is asked for; null before.</summary>
-        public LastStep Last;
 
         protected Mover(BodyPlan plan) => Plan = plan;
 
         /// <summary>What the motion consists of.</summary>
         public BodyPlan Plan { get; }
 
-        /// <summary>The state now.</summary>
-        public abstract BodyState State { get; }
+        /// <summary>True for a mover of many bodies.</summary>
+        public virtual bool HasMany => false;
 
-        public abstract bool IsAsleep { get; }
+        /// <summary>The state of a body now.</summary>
+        public abstract BodyState StateOf(Body body);
 
-        /// <summary>True while nothing is computed for the body until its state is read.</summary>
-        public abstract bool IsDormant { get; }
+        public abstract bool IsAsleep(Body body);
 
-        /// <summary>The step by which it has to be stepped again, while it is dormant.</summary>
-        public abstract long WakesAt { get; }
+        /// <summary>True while nothing is computed for a body until its state is read.</summary>
+        public abstract bool IsDormant(Body body);
+
+        /// <summary>An impulse now; the pose stays.</summary>
+        public abstract void Push(Body body, in Wrench impulse);
+
+        /// <summary>Another state now.</summary>
+        public abstract void Set(Body body, in BodyState state);
+
+        /// <summary>Adds to what pushes a body in the next step.</summary>
+        public abstract void Add(Body body, in Load load);
+
+        /// <summary>A body goes.</summary>
+        /// <returns>True if it was the last of many.</returns>
+        public virtual bool Remove(Body body) => false;
+
+        /// <summary>The mover of a body by itself; one of many leaves them, to the same bits.</summary>
+        public abstract LoneMover Alone(Body body);
+
+        /// <summary>How far, up to a step, bodies can go so that there is still a way back.</summary>
+        public virtual long Limit(long end) => end;
 
         /// <summary>Goes on to the end of a step, or as far as the effects let it; what stopped it comes with the answer.</summary>
         public abstract long Advance(long end, ref Exception failure);
@@ -33,26 +49,34 @@ namespace RigidBodyDynamics
         /// <summary>Back to where the last <see cref="Advance"/> began.</summary>
         public abstract void GoBack();
 
-        /// <summary>The states between the beginning and the end of the last step.</summary>
-        public abstract BodyState Between(double alpha);
+        /// <summary>All bodies of the simulation have come to the end of an <see cref="Advance"/>: nobody goes back from here.</summary>
+        public virtual void Stay() { }
 
-        /// <summary>An impulse now; the pose stays.</summary>
-        public abstract void Push(in Wrench impulse);
-
-        /// <summary>Another state now.</summary>
-        public abstract void Set(in BodyState state);
-
-        /// <summary>Adds to the <see cref="Load"/> of the next step.</summary>
-        public abstract void Add(in Load load);
-
-        /// <summary>Goes on with the motion of another that has come to now, to its last digit, where both move it by the same numbers.</summary>
-        public abstract void TakeOver(Mover last);
-
-        /// <summary>Comes to now: times before are not asked for again. A body may coast from here, or is stepped on.</summary>
+        /// <summary>Comes to now: times before are not asked for again. Bodies may coast from here, or are stepped on.</summary>
         public abstract void Arrive(bool mayCoast);
 
         public abstract object Save();
 
         public abstract void Restore(object saved);
+    }
+
+    /// <summary>What moves one body.</summary>
+    internal abstract class LoneMover : Mover
+    {
+        /// <summary>The last step, kept from the first time that a state in it is asked for; null before.</summary>
+        public LastStep Last;
+
+        protected LoneMover(BodyPlan plan) : base(plan) { }
+
+        /// <summary>The step by which the body has to be stepped again, while it is dormant.</summary>
+        public abstract long WakesAt { get; }
+
+        /// <summary>The states between the beginning and the end of the last step.</summary>
+        public abstract BodyState Between(double alpha);
+
+        /// <summary>Goes on with the motion of another that has come to now, to its last digit, where both move it by the same numbers.</summary>
+        public abstract void TakeOver(Mover last);
+
+        public override LoneMover Alone(Body body) => this;
     }
 }

@@ -6,7 +6,7 @@ namespace RigidBodyDynamics
     /// Moves a body by one rule, with a stretch of time for every sum of effects that acts on it. Where the body coasts its state
     /// follows the clock only when it is read.
     /// </summary>
-    internal sealed partial class Mover<TIntegrator> : Mover where TIntegrator : struct, IIntegrator
+    internal sealed partial class Mover<TIntegrator> : LoneMover where TIntegrator : struct, IIntegrator
     {
         // a copy costs as much as the shortest step; from one of a body that nothing pushes the way on is known
         private const long StepsBetweenCopies = 1024;
@@ -26,23 +26,38 @@ namespace RigidBodyDynamics
             _before = _now;
         }
 
-        public override BodyState State
+        /// <summary>A body that was one of many.</summary>
+        /// <param name="plan">Their plan.</param>
+        /// <param name="clock">Says when it is now.</param>
+        /// <param name="now">The body as it is.</param>
+        /// <param name="kept">The body as it was when it began to coast, or at some step before.</param>
+        /// <param name="since">That step.</param>
+        /// <param name="keptIn">The stretch of that step.</param>
+        /// <param name="stretch">The stretch in which it is.</param>
+        /// <param name="coasts">Whether it coasts.</param>
+        public Mover(BodyPlan plan, Clock clock, in TIntegrator now, in TIntegrator kept, long since, int keptIn, int stretch, bool coasts) : base(plan)
         {
-            get
-            {
-                CatchUp();
-                BodyState state = _now.Motion.State;
-                return state.HasFiniteSquares ? state : throw new StateOverflowException(Plan, Math.Max(0, _now.Step - 1));
-            }
+            _clock = clock;
+            _stretches = StretchBuilder<TIntegrator>.Bind(plan, isWatched: false);
+            _before = new Moment { Motion = kept, Step = since, Anchored = since, Stretch = keptIn, IsDormant = coasts };
+            _now = new Moment { Motion = now, Step = clock.Step, Anchored = since, Stretch = stretch, IsDormant = coasts };
+            _stretches[stretch].Anchor = kept;
         }
-
-        public override bool IsAsleep => _now.Motion.IsAsleep;
-
-        public override bool IsDormant => _now.IsDormant;
 
         public override long WakesAt => _stretches[_now.Stretch].End;
 
         private bool IsLoaded => Load.Step == _now.Step;
+
+        public override BodyState StateOf(Body body)
+        {
+            CatchUp();
+            BodyState state = _now.Motion.State;
+            return state.HasFiniteSquares ? state : throw new StateOverflowException(Plan, Math.Max(0, _now.Step - 1));
+        }
+
+        public override bool IsAsleep(Body body) => _now.Motion.IsAsleep;
+
+        public override bool IsDormant(Body body) => _now.IsDormant;
 
         public override long Advance(long end, ref Exception failure)
         {
@@ -73,7 +88,7 @@ namespace RigidBodyDynamics
 
         public override BodyState Between(double alpha) => Remember().At(alpha);
 
-        public override void Push(in Wrench impulse)
+        public override void Push(Body body, in Wrench impulse)
         {
             Arrive(mayCoast: true);
             TIntegrator motion = _now.Motion;
@@ -85,7 +100,7 @@ namespace RigidBodyDynamics
             Changed(mayCoast: true);
         }
 
-        public override void Set(in BodyState state)
+        public override void Set(Body body, in BodyState state)
         {
             _now.Motion = default(TIntegrator);
             _now.Motion.Start(new Beginning(Plan.Body, state));
@@ -95,7 +110,7 @@ namespace RigidBodyDynamics
             Changed(mayCoast: true);
         }
 
-        public override void Add(in Load load)
+        public override void Add(Body body, in Load load)
         {
             Arrive(mayCoast: true);
             Load sum = IsLoaded ? Load : new Load { Step = _now.Step };
@@ -233,48 +248,6 @@ namespace RigidBodyDynamics
             _now.Motion = _stretches[_now.Stretch].Anchor;
             _now.Step = _now.Anchored;
             throw new StateOverflowException(Plan, LastFinite(_now, step));
-        }
-
-        private LastStep Remember()
-        {
-            CatchUp();
-            long step = _clock.Step;
-            if (Last != null && Last.Step == step)
-                return Last;
-
-            LastStep<TIntegrator> last = Last as LastStep<TIntegrator> ?? new LastStep<TIntegrator>();
-            if (_now.IsDormant && _now.Anchored < step)
-                last.Coasted(step, _clock.LastLength, _now.Motion, _stretches[_now.Stretch]);
-            else if (_before.Step < step && HasCoasted(step))
-                last.Coasted(step, _clock.LastLength, _now.Motion, _stretches[_before.Stretch]);
-            else if (_before.Step < step)
-                last.Went(step, _clock.LastLength, Before(step), _now.Motion.State, Plan.Body.Mass.CenterOfMass);
-            else
-                last.Jump(step, _now.Motion.State);
-
-            return Last = last;
-        }
-
-        /// <summary>The step before this one was taken, though nothing pushed and the way was known: it ended a stretch, or had a length of its own.</summary>
-        private bool HasCoasted(long step)
-        {
-            Stretch<TIntegrator> stretch = _stretches[_before.Stretch];
-            return Plan.MayCoast && stretch.End >= step && Load.Step != step - 1 && stretch.KnowsWay(_before.Motion);
-        }
-
-        /// <summary>The state before the last step, on the way there once more.</summary>
-        private BodyState Before(long step)
-        {
-            Moment now = _now;
-            TIntegrator anchor = _stretches[now.Stretch].Anchor;
-            Return();
-            Run(_stretches, _loaded, step - 1);
-            CatchUp(step - 1);
-            BodyState before = _now.Motion.State;
-            _now = now;
-            Forget();
-            _stretches[now.Stretch].Anchor = anchor;
-            return before;
         }
 
         /// <summary>All that changes in a body.</summary>

@@ -5,7 +5,7 @@ namespace RigidBodyDynamics
     /// <summary>A simulation as it was at one time.</summary>
     public sealed class SavedSimulation
     {
-        internal SavedSimulation(Simulation owner, Clock clock, double rest, List<SavedBody> bodies)
+        internal SavedSimulation(Simulation owner, Clock clock, double rest, List<SavedBody> bodies, List<SavedCrowd> crowds)
         {
             Owner = owner;
             StepsDone = clock.Step;
@@ -13,6 +13,7 @@ namespace RigidBodyDynamics
             Division = clock.Steps.Division;
             Rest = rest;
             Bodies = bodies;
+            Crowds = crowds;
         }
 
         /// <summary>How many steps had been done.</summary>
@@ -27,6 +28,8 @@ namespace RigidBodyDynamics
         internal double Rest { get; }
 
         internal List<SavedBody> Bodies { get; }
+
+        internal List<SavedCrowd> Crowds { get; }
     }
 
     /// <summary>A body as it was, and what moved it.</summary>
@@ -40,13 +43,29 @@ namespace RigidBodyDynamics
         {
             Body = body;
             _mover = body.Mover;
-            _moment = _mover.Save();
+            _moment = _mover.HasMany ? null : _mover.Save();
         }
 
         public void Restore()
         {
             Body.Mover = _mover;
-            _mover.Restore(_moment);
+            if (!_mover.HasMany)
+                _mover.Restore(_moment);
         }
+    }
+
+    /// <summary>Bodies that are moved together as they were, with their places.</summary>
+    internal readonly struct SavedCrowd
+    {
+        public readonly Mover Mover;
+        private readonly object _moment;
+
+        public SavedCrowd(Mover mover)
+        {
+            Mover = mover;
+            _moment = mover.Save();
+        }
+
+        public void Restore() => Mover.Restore(_moment);
     }
 }

@@ -9,8 +9,13 @@ namespace RigidBodyDynamics
     /// </summary>
     public sealed partial class Simulation
     {
+        private const int MostThreads = 1024;
+
         private readonly List<Body> _bodies = new List<Body>();
+        // those that are moved together, and there are any of
+        private readonly List<Mover> _crowds = new List<Mover>();
         private readonly Clock _clock;
+        private int _threads = Math.Min(Environment.ProcessorCount, MostThreads);
         private Turnstile _turnstile;
 
         /// <summary>Reads the scene once: every body gets the sum of what acts on it and the step made for that sum.</summary>
@@ -22,7 +27,7 @@ namespace RigidBodyDynamics
             MayLeaveOut = mayLeaveOut;
             _clock = new Clock(scene.Steps);
             foreach (BodyDescription body in scene.Bodies)
-                Add(body);
+                Enter(new Body(this) { Mover = Moving(body, MayLeaveOut) });
         }
 
         /// <summary>Bodies that move in steps of one division of time; none at first, if none is named.</summary>
@@ -37,27 +42,65 @@ namespace RigidBodyDynamics
         /// <summary>How many steps are done.</summary>
         public long StepsDone => _clock.Step;
 
+        /// <summary>
+        /// How many threads may step bodies that were added with one description, from 1 to 1024; as many as there are processors at
+        /// first. The result is the same for any number; on .NET Standard it is one thread always.
+        /// </summary>
+        public int Threads
+        {
+            get => _threads;
+            set
+            {
+                MayBeChanged();
+                _threads = value >= 1 && value <= MostThreads ? value : throw Guard.Refused(nameof(Threads), value, "must be from 1 to " + MostThreads);
+                Distribute();
+            }
+        }
+
         /// <summary>Time since the start, s.</summary>
         public double Time => _clock.Steps.StartOf(StepsDone);
 
         internal Omissions MayLeaveOut { get; }
 
-        /// <summary>Adds a body, which starts now.</summary>
+        /// <summary>
+        /// Adds a body, which starts now. Many that are added with one description are stored and stepped together, several at a time
+        /// and on several threads; each moves to the same bits as it would alone.
+        /// </summary>
         /// <param name="description">What it is; nothing that is changed in it later changes the body. Names may repeat.</param>
-        public Body Add(BodyDescription description)
+        public Body Add(BodyDescription description) => Add(Guard.NotNull(description, nameof(description)), description.Start, description.GivenInBody);
+
+        /// <summary>Adds a body, which starts now, in a state of its own.</summary>
+        /// <param name="description">What it is, but for its start.</param>
+        /// <param name="start">Where it starts.</param>
+        public Body Add(BodyDescription description, in BodyState start) => Add(Guard.NotNull(description, nameof(description)), start, null);
+
+        /// <summary>
+        /// Brings back a body that was removed: what it was last, from another start. One that was stored with others is so again, and
+        /// nothing is allocated.
+        /// </summary>
+        /// <param name="removed">A body of this simulation.</param>
+        /// <param name="start">Where it starts.</param>
+        public void Add(Body removed, in BodyState start)
         {
-            Guard.NotNull(description, nameof(description));
+            if (Guard.NotNull(removed, nameof(removed)).Simulation != this || !removed.IsRemoved)
+                throw new ArgumentException("removed: \"" + removed.Name + "\" must be a body that was removed from this simulation", nameof(removed));
+
             MayBeChanged();
-            Body body = new Body(this, Moving(description, MayLeaveOut));
-            Enter(body);
-            return body;
+            removed.Plan.Asked.Check(start);
+            bool isTogether = false;
+            AddTogether(removed, removed.Mover, start, ref isTogether);
+            if (!isTogether)
+                removed.Mover = Moving(At(removed.Plan.Asked, start, null), MayLeaveOut);
+
+            Enter(removed);
         }
 
-        /// <summary>Removes a body. Its handle can be asked for its name and its plan, and for nothing else.</summary>
+        /// <summary>Removes a body. Its handle can be asked for its name and its plan, and brought back, and for nothing else.</summary>
         public void Remove(Body body)
         {
             Mine(body);
             MayBeChanged();
+            Part(body.Mover, body);
             Leave(body);
         }
 
@@ -65,7 +108,7 @@ namespace RigidBodyDynamics
         public SavedSimulation Save()
         {
             MayBeChanged();
-            return new SavedSimulation(this, _clock, _rest, _bodies.ConvertAll(body => new SavedBody(body)));
+            return new SavedSimulation(this, _clock, _rest, _bodies.ConvertAll(body => new SavedBody(body)), _crowds.ConvertAll(crowd => new SavedCrowd(crowd)));
         }
 
         /// <summary>
@@ -86,6 +129,7 @@ namespace RigidBodyDynamics
             _clock.Step = saved.StepsDone;
             _clock.LastLength = saved.LastLength;
             _rest = saved.Rest;
+            RestoreCrowds(saved);
             foreach (SavedBody body in saved.Bodies)
             {
                 body.Restore();
@@ -103,20 +147,60 @@ namespace RigidBodyDynamics
         /// <summary>From now on a body moves after another description.</summary>
         internal void Plan(Body body, BodyDescription description, in BodyState state, Omissions mayLeaveOut)
         {
-            BodyDescription now = description.Copy(description.Name, description.Mass);
-            now.Start = state;
-            Mover last = body.Mover;
+            LoneMover last = Alone(body.Mover, body);
             bool isLoaded = last.Load.Step == StepsDone;
-            Mover next = Moving(now, isLoaded ? mayLeaveOut & ~last.Load.Needs : mayLeaveOut);
+            LoneMover next = Moving(At(description, state, null), isLoaded ? mayLeaveOut & ~last.Load.Needs : mayLeaveOut);
             last.Arrive(mayCoast: true);
             next.Last = last.Last;
             if (isLoaded)
-                next.Add(last.Load);
+                next.Add(body, last.Load);
 
             body.Mover = next;
         }
 
-        private Mover Moving(BodyDescription description, Omissions mayLeaveOut)
+        /// <summary>The mover of a body by itself. A body that is stored with others leaves them.</summary>
+        internal LoneMover Alone(Mover mover, Body body)
+        {
+            if (mover is LoneMover alone)
+                return alone;
+
+            alone = mover.Alone(body);
+            Part(mover, body);
+            body.Mover = alone;
+            Sort(body);
+            return alone;
+        }
+
+        private void Part(Mover mover, Body body)
+        {
+            if (mover.Remove(body))
+                _crowds.Remove(mover);
+        }
+
+        private Body Add(BodyDescription description, in BodyState start, Vector3d? inBody)
+        {
+            MayBeChanged();
+            Body body = new Body(this);
+            bool isTogether = false;
+            AddTogether(body, description, start, inBody, ref isTogether);
+            if (!isTogether)
+                body.Mover = Moving(At(description, start, inBody), MayLeaveOut);
+
+            Enter(body);
+            return body;
+        }
+
+        private static BodyDescription At(BodyDescription description, in BodyState start, Vector3d? inBody)
+        {
+            BodyDescription at = description.Copy(description.Name, description.Mass);
+            at.Start = start;
+            if (inBody != null)
+                at.AngularVelocityInBody = inBody.Value;
+
+            return at;
+        }
+
+        private LoneMover Moving(BodyDescription description, Omissions mayLeaveOut)
         {
             BodyPlan plan = new BodyPlan(description, _clock.Steps, mayLeaveOut, StepsDone);
             return plan.Rule.Build(plan, _clock);
@@ -138,6 +222,14 @@ namespace RigidBodyDynamics
             body.Index = -1;
             _haveLeft |= body.IsStepped;
         }
+
+        partial void AddTogether(Body body, BodyDescription description, in BodyState start, Vector3d? inBody, ref bool isTogether);
+
+        partial void AddTogether(Body body, Mover mover, in BodyState start, ref bool isTogether);
+
+        partial void RestoreCrowds(SavedSimulation saved);
+
+        partial void Distribute();
 
         private void Mine(Body body)
         {

@@ -109,10 +109,16 @@ namespace RigidBodyDynamics
             TimeSteps.Grid grid = _clock.Steps.Division;
             long step = StepsDone;
             // a step of another length is no part of a way that goes by the number of its steps
-            foreach (Body body in _bodies)
+            try
             {
-                body.Mover.Arrive(mayCoast: false);
-                Sort(body);
+                Arrive(mayCoast: false);
+            }
+            catch (StateOverflowException)
+            {
+                foreach (Mover crowd in _crowds)
+                    crowd.Arrive(mayCoast: true);
+
+                throw;
             }
 
             try
@@ -126,29 +132,50 @@ namespace RigidBodyDynamics
                 if (StepsDone == step)
                     _clock.Steps.Division = grid;
 
+                Arrive(mayCoast: true);
+                // effects begin and end by the number of a step, and steps start at other times now
                 foreach (Body body in _bodies)
-                    GoOn(body);
+                {
+                    if (body.Plan.ChangesAfter(StepsDone))
+                    {
+                        LoneMover last = Alone(body.Mover, body);
+                        Plan(body, last.Plan.Asked, last.StateOf(body), last.Plan.MayLeaveOut);
+                        ((LoneMover)body.Mover).TakeOver(last);
+                    }
+
+                    Sort(body);
+                }
             }
         }
 
-        /// <summary>Effects begin and end by the number of a step, and steps start at other times now.</summary>
-        private void GoOn(Body body)
+        private void Arrive(bool mayCoast)
         {
-            Mover last = body.Mover;
-            if (last.Plan.Stretches.Count > 1)
-            {
-                Plan(body, last.Plan.Asked, last.State, last.Plan.MayLeaveOut);
-                body.Mover.TakeOver(last);
-            }
-            else
-            {
-                last.Arrive(mayCoast: true);
-            }
+            foreach (Mover crowd in _crowds)
+                crowd.Arrive(mayCoast);
 
-            Sort(body);
+            foreach (Body body in _bodies)
+            {
+                if (!body.Mover.HasMany)
+                    body.Mover.Arrive(mayCoast);
+
+                Sort(body);
+            }
         }
 
         private void Run(long end)
+        {
+            do
+            {
+                long stop = end;
+                foreach (Mover crowd in _crowds)
+                    stop = crowd.Limit(stop);
+
+                RunTo(stop);
+            }
+            while (StepsDone < end);
+        }
+
+        private void RunTo(long end)
         {
             if (_haveLeft)
                 LayDown();
@@ -157,35 +184,43 @@ namespace RigidBodyDynamics
                 Join(_dormant.Take());
 
             Exception failure = null;
-            for (int i = 0; i < _stepped.Count; i++)
+            for (int i = 0; i < _stepped.Count + _crowds.Count; i++)
             {
-                long reached = _stepped[i].Mover.Advance(end, ref failure);
+                long reached = Moving(i).Advance(end, ref failure);
                 if (reached == end)
                     continue;
 
                 // where one cannot go on, all go back and come as far as that one came
                 end = reached;
                 for (; i >= 0; i--)
-                    _stepped[i].Mover.GoBack();
+                    Moving(i).GoBack();
             }
 
             if (end > _clock.Step)
                 _clock.LastLength = _clock.Steps.Length(end - 1);
 
             _clock.Step = end;
+            foreach (Mover crowd in _crowds)
+                crowd.Stay();
+
             LayDown();
             if (failure != null)
                 ExceptionDispatchInfo.Capture(failure).Throw();
         }
 
+        private Mover Moving(int i) => i < _stepped.Count ? _stepped[i].Mover : _crowds[i - _stepped.Count];
+
         /// <summary>Puts a body that was changed among those that are stepped, or those that an effect will wake.</summary>
         internal void Sort(Body body)
         {
             _dormant.Remove(body);
-            if (!body.Mover.IsDormant)
+            if (!(body.Mover is LoneMover mover))
+                return;
+
+            if (!mover.IsDormant(body))
                 Join(body);
-            else if (!body.IsStepped && body.Mover.WakesAt < _clock.Steps.Count)
-                _dormant.Add(body.Mover.WakesAt, body);
+            else if (!body.IsStepped && mover.WakesAt < _clock.Steps.Count)
+                _dormant.Add(mover.WakesAt, body);
         }
 
         private void Join(Body body)
@@ -203,7 +238,7 @@ namespace RigidBodyDynamics
             for (int i = 0; i < _stepped.Count; i++)
             {
                 Body body = _stepped[i];
-                body.IsStepped = !body.IsRemoved && !body.Mover.IsDormant;
+                body.IsStepped = !body.IsRemoved && !body.Mover.HasMany && !body.Mover.IsDormant(body);
                 if (body.IsStepped)
                     _stepped[kept++] = body;
                 else if (!body.IsRemoved)

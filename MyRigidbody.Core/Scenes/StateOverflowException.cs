@@ -10,11 +10,12 @@ namespace RigidBodyDynamics
     /// </summary>
     public sealed class StateOverflowException : ArithmeticException
     {
-        internal StateOverflowException(BodyPlan plan, long step, int number = -1) : base(Guard.OneLine(
-            "body \"" + plan.Body.Name + "\"" + (number < 0 ? string.Empty : " " + number.ToString(CultureInfo.InvariantCulture)) + ": " + Why(plan, step)))
+        internal StateOverflowException(BodyPlan plan, long step, Body handle = null) : base(Guard.OneLine(
+            "body \"" + plan.Body.Name + "\"" + (handle == null ? string.Empty : " " + handle.Index.ToString(CultureInfo.InvariantCulture)) + ": " + Why(plan, step)))
         {
             Body = plan.Body.Name;
-            Number = number;
+            Handle = handle;
+            Number = handle?.Index ?? -1;
             Rule = plan.Rule;
             Step = step;
             Time = plan.Steps.StartOf(step + 1);
@@ -24,7 +25,10 @@ namespace RigidBodyDynamics
         /// <summary>Name of the body.</summary>
         public string Body { get; }
 
-        /// <summary>Its number in a batch; −1 where it is not in one.</summary>
+        /// <summary>The body itself, where it is one of many that are stored together; null where it is not.</summary>
+        public Body Handle { get; }
+
+        /// <summary>The place of <see cref="Handle"/> in <see cref="Simulation.Bodies"/>; −1 where there is none.</summary>
         public int Number { get; }
 
         /// <summary>The rule by which it moves.</summary>

@@ -43,10 +43,6 @@ namespace RigidBodyDynamics
             return stretches;
         }
 
-        /// <summary>A stretch of a body by itself, whose pushes tell which of them is not finite.</summary>
-        public static Stretch<TIntegrator> Watched(BodyPlan plan, int stretch) =>
-            new StretchBuilder<TIntegrator>(plan, plan.Stretches[stretch], isWatched: true, loaded: null).Bind(default(Nothing), 0);
-
         /// <summary>Goes on with a sum that holds all pushes before the next.</summary>
         public Stretch<TIntegrator> Bind<TSum>(TSum sum, int next) where TSum : struct, IPush
         {

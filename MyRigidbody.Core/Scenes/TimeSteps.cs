@@ -130,6 +130,8 @@ namespace RigidBodyDynamics
         {
             public long Origin;
             public double Start, StartLost, Length;
+
+            public bool Equals(in Grid other) => Origin == other.Origin && Start == other.Start && StartLost == other.StartLost && Length == other.Length;
         }
     }
 }

@@ -148,13 +148,13 @@ internal static class Suite
         return new Simulation(new Scene("bench", string.Empty, TimeSteps.Every(Step), all), Omissions.All & ~Omissions.Coasting);
     }
 
-    private static Batch Together(BodyDescription body, int bodies, int threads, Omissions mayLeaveOut)
+    private static Simulation Together(BodyDescription body, int bodies, int threads, Omissions mayLeaveOut)
     {
-        Batch batch = new(body, TimeSteps.Every(Step), mayLeaveOut) { Threads = threads };
+        Simulation simulation = new(new Scene("bench", string.Empty, TimeSteps.Every(Step), []), mayLeaveOut) { Threads = threads };
         for (int i = 0; i < bodies; i++)
-            batch.Add(Start(i, body));
+            simulation.Add(body, Start(i, body));
 
-        return batch;
+        return simulation;
     }
 
     // spread a little, so that no two bodies do the same

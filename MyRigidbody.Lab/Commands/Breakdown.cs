@@ -1,5 +1,3 @@
-using System.Globalization;
-
 namespace RigidBodyDynamics.Lab.Commands;
 
 /// <summary>What breaks while a scene runs, as an error of its file.</summary>
@@ -34,7 +32,7 @@ internal static class Breakdown
 
     /// <summary>Which body ran away, when, under what.</summary>
     public static string InWords(StateOverflowException lost) =>
-        $"body {lost.Body}{(lost.Number < 0 ? string.Empty : lost.Number.ToString(" 0", CultureInfo.InvariantCulture))}: {lost.Reason}";
+        $"body {(lost.Handle is Body one ? ManyBodies.NameOf(one) : lost.Body)}: {lost.Reason}";
 
     /// <summary>Commands run bodies under other names and with some of their effects only; an effect stays the one it is.</summary>
     private static string PlaceOf(BrokenEffectException broken, Scene scene)

@@ -27,17 +27,15 @@ internal static class ExplainCommand
     {
         SceneFile read = SceneReader.ReadWithCrowds(path);
         Scene scene = read.Scene;
-        Simulation simulation = Overrides.Named(path, () => new Simulation(scene));
-        // many bodies start in many ways, so nothing is left out that one of them may need
-        Simulation together = new(scene, Omissions.Coasting);
+        Simulation simulation = Overrides.Named(path, () => new Simulation(ManyBodies.WithFirst(scene, read.Crowds)));
 
         // bodies that move alike are explained once
         List<Explained> bodies = [];
         Dictionary<string, Explained> known = [];
         for (int i = 0; i < simulation.Bodies.Count; i++)
         {
-            ManyBodies? crowd = read.Crowds.GetValueOrDefault(simulation.Bodies[i].Name);
-            Body body = crowd is null ? simulation.Bodies[i] : together.Bodies[i];
+            Body body = simulation.Bodies[i];
+            ManyBodies? crowd = read.Crowds.GetValueOrDefault(body.Name);
             Explanation explanation = new(body.Plan);
             string words = explanation.ToString();
             string key = body.Rule.Name + words[words.IndexOf('\n', StringComparison.Ordinal)..];

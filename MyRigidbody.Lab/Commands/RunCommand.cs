@@ -82,7 +82,7 @@ internal static class RunCommand
 
         return 0;
 
-        Population Bodies() => Overrides.Named(path, () => new Population(scene, read.Crowds));
+        Simulation Bodies() => Overrides.Named(path, () => ManyBodies.Simulate(scene, read.Crowds));
     }
 
     private static string Command(string path, string? integrator, double? step, string report)
@@ -101,15 +101,15 @@ internal static class RunCommand
         files.Keep();
     }
 
-    private static void Write(Population simulation, long every, string path, TextWriter writer)
+    private static void Write(Simulation simulation, long every, string path, TextWriter writer)
     {
         TrajectoryCsv csv = new(writer);
         csv.WriteHeader();
-        long count = simulation.Steps.Count;
+        long count = simulation.Scene.Steps.Count;
         if (every > 0)
         {
-            simulation.MustBeFinite(path);
-            simulation.WriteRows(csv);
+            MustBeFinite(simulation, path);
+            csv.WriteRows(simulation);
         }
 
         Terminal.WithProgress("run " + path, report =>
@@ -126,8 +126,8 @@ internal static class RunCommand
                 MustEnd(path, Environment.TickCount64 - started, simulation.StepsDone, count);
                 if (simulation.StepsDone == next)
                 {
-                    simulation.MustBeFinite(path);
-                    simulation.WriteRows(csv);
+                    MustBeFinite(simulation, path);
+                    csv.WriteRows(simulation);
                     next = every == 0 || next > count - every ? count : next + every;
                 }
 
@@ -152,20 +152,12 @@ internal static class RunCommand
     {
         foreach (Body body in simulation.Bodies)
         {
-            MustBeFinite(path, body.Name, body.State, body.Plan.Asked, simulation.StepsDone);
-        }
-    }
-
-    /// <summary>True if the energy and the angular momentum of a state are finite.</summary>
-    internal static bool IsFinite(in BodyState state, MassProperties mass) =>
-        Guard.IsFinite(Conserved.KineticEnergy(state, mass)) && Conserved.AngularMomentum(state, mass).IsFinite;
-
-    /// <summary>The same for one body.</summary>
-    internal static void MustBeFinite(string path, string name, in BodyState state, BodyDescription body, long step)
-    {
-        if (!IsFinite(state, body.Mass))
-        {
-            throw new FellShortException($"{path}: body {name}: {body.Rule.Name} has run away: no finite energy or angular momentum after step {step}");
+            BodyState state = body.State;
+            if (!Guard.IsFinite(Conserved.KineticEnergy(state, body.Mass)) || !Conserved.AngularMomentum(state, body.Mass).IsFinite)
+            {
+                throw new FellShortException(
+                    $"{path}: body {ManyBodies.NameOf(body)}: {body.Rule.Name} has run away: no finite energy or angular momentum after step {simulation.StepsDone}");
+            }
         }
     }
 }

@@ -20,7 +20,7 @@ internal sealed class TrajectoryCsv(TextWriter writer)
     {
         foreach (Body body in simulation.Bodies)
         {
-            WriteRow(body.Name, simulation.StepsDone, simulation.Time, body.State, body.Mass, body.IsAsleep);
+            WriteRow(ManyBodies.NameOf(body), simulation.StepsDone, simulation.Time, body.State, body.Mass, body.IsAsleep);
         }
     }
 

@@ -80,21 +80,20 @@ internal sealed class Motion
     }
 
     /// <summary>All bodies of a scene, run once more for the moments of a page.</summary>
-    public static Motion Of(SceneFile file, Scene scene, Population population)
+    public static Motion Of(SceneFile file, Scene scene, Simulation simulation)
     {
-        Motion motion = new(scene.Steps, population.Count);
-        motion.Tracks.AddRange(population.States(Frames.MostBodies)
-            .Select(body => new Track(body.Name, body.Description.Mass, Shape(file, body.Description))));
+        Motion motion = new(scene.Steps, simulation.Bodies.Count);
+        motion.Tracks.AddRange(simulation.Bodies.Take(Frames.MostBodies)
+            .Select(body => new Track(ManyBodies.NameOf(body), body.Mass, Shape(file, body.Plan.Asked))));
         long end = scene.Steps.Count;
         foreach (long step in Frames.Of(end == long.MaxValue ? end : end + 1, motion.Tracks.Count))
         {
-            population.Step(step - population.StepsDone);
-            population.MustBeFinite(file.Path);
+            simulation.Step(step - simulation.StepsDone);
+            RunCommand.MustBeFinite(simulation, file.Path);
             motion.At.Add(step);
-            int next = 0;
-            foreach ((_, _, BodyState state) in population.States(Frames.MostBodies))
+            for (int i = 0; i < motion.Tracks.Count; i++)
             {
-                motion.Tracks[next++].States.Add(state);
+                motion.Tracks[i].States.Add(simulation.Bodies[i].State);
             }
         }
 

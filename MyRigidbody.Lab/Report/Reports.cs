@@ -34,15 +34,14 @@ internal static class Reports
         ]);
 
     /// <summary>Of <c>run</c>.</summary>
-    public static Page Of(SceneFile file, Scene scene, Population population, string command)
+    public static Page Of(SceneFile file, Scene scene, Simulation simulation, string command)
     {
-        Motion motion = Motion.Of(file, scene, population);
+        Motion motion = Motion.Of(file, scene, simulation);
         return Page(file, scene, command, motion,
         [
             new Replay(motion),
             new TimePlots(Words.All["plots.run"]),
-            // many bodies start in many ways, so nothing is left out that one of them may need
-            Plan.From(Plans(file.Crowds.Count > 0 ? new Simulation(scene, Omissions.Coasting) : new Simulation(scene))),
+            Plan.From(Plans(new Simulation(ManyBodies.WithFirst(scene, file.Crowds)))),
         ]);
     }
 

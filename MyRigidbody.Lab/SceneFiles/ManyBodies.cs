@@ -1,3 +1,5 @@
+using System.Numerics;
+
 namespace RigidBodyDynamics.Lab;
 
 /// <summary>Many bodies of a scene that differ in their starts alone: <c>"count"</c>, <c>"seed"</c> and <c>"spread"</c>.</summary>
@@ -8,6 +10,11 @@ internal sealed record ManyBodies(BodyDescription Body, int Count, Spread Spread
 {
     /// <summary>A scene may have so many bodies of one kind.</summary>
     public const int Most = 10_000_000;
+
+    // of fewer it is not worth while to try how much they take
+    private const int Many = 100_000, Tried = 4096;
+
+    private const double BytesOfHandle = 100;
 
     /// <summary>Reads what a body says of its number; null if it is one.</summary>
     public static ManyBodies? Read(Fields fields, BodyDescription body)
@@ -35,20 +42,61 @@ internal sealed record ManyBodies(BodyDescription Body, int Count, Spread Spread
         return new ManyBodies(body, (int)number, spread);
     }
 
-    /// <summary>The bodies, at their starts.</summary>
-    public Batch Gather(TimeSteps steps)
+    /// <summary>The bodies of a scene: those that stand alone, and then those in numbers.</summary>
+    public static Simulation Simulate(Scene scene, IReadOnlyDictionary<string, ManyBodies> crowds)
     {
-        Batch batch = new(Body, steps);
-        for (int i = 0; i < Count; i++)
+        Memory.MustHold("bodies", crowds.Values.Where(crowd => crowd.Count > Many).Sum(crowd => crowd.Bytes(scene.Steps)));
+        Simulation simulation = new(new Scene(scene.Name, scene.About, scene.Steps, [.. scene.Bodies.Where(body => !crowds.ContainsKey(body.Name))]));
+        foreach (BodyDescription body in scene.Bodies.Where(body => crowds.ContainsKey(body.Name)))
         {
-            BodyState start = Spread.Of(Body.Start, i);
-            // one that turns as the body in the middle keeps its very numbers in body axes
-            _ = start.Orientation == Body.Start.Orientation && start.AngularVelocity == Body.Start.AngularVelocity
-                ? batch.Add(start, Body.AngularVelocityInBody)
-                : batch.Add(start);
+            crowds[body.Name].AddTo(simulation);
         }
 
-        return batch;
+        return simulation;
+    }
+
+    /// <summary>The scene with the first of those in numbers in the place of the one in the middle, which nobody runs.</summary>
+    public static Scene WithFirst(Scene scene, IReadOnlyDictionary<string, ManyBodies> crowds) => new(
+        scene.Name, scene.About, scene.Steps, [.. scene.Bodies.Select(body => crowds.TryGetValue(body.Name, out ManyBodies? crowd) ? crowd.Start(0) : body)]);
+
+    /// <summary>The name of a body; one of many has a number.</summary>
+    public static string NameOf(Body body) => body.Tag is int number ? $"{body.Name} {number}" : body.Name;
+
+    private void AddTo(Simulation simulation)
+    {
+        BodyDescription all = Body.Copy(Body.Name, Body.Mass);
+        for (int i = 0; i < Count; i++)
+        {
+            Place(all, i);
+            simulation.Add(all).Tag = i;
+        }
+    }
+
+    private BodyDescription Start(int number)
+    {
+        BodyDescription one = Body.Copy(Body.Name, Body.Mass);
+        Place(one, number);
+        return one;
+    }
+
+    private void Place(BodyDescription body, int number)
+    {
+        body.Start = Spread.Of(Body.Start, number);
+        // one that turns as the body in the middle keeps its very numbers in body axes
+        if (body.Start.Orientation == Body.Start.Orientation && body.Start.AngularVelocity == Body.Start.AngularVelocity)
+        {
+            body.AngularVelocityInBody = Body.AngularVelocityInBody;
+        }
+    }
+
+    /// <summary>What they take, as a few of their kind do, whose columns have grown by doubling: half of what they took is left behind.</summary>
+    private double Bytes(TimeSteps steps)
+    {
+        Simulation few = new(steps);
+        long before = GC.GetAllocatedBytesForCurrentThread();
+        (this with { Count = Tried }).AddTo(few);
+        double each = (GC.GetAllocatedBytesForCurrentThread() - before) / 2.0 / Tried;
+        return (each * BitOperations.RoundUpToPowerOf2((uint)Count)) + (BytesOfHandle * Count);
     }
 
     private static Spread Read(Fields fields, Spread spread)

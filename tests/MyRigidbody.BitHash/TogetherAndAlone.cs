@@ -3,13 +3,13 @@ using System;
 
 namespace RigidBodyDynamics.BitHash
 {
-    /// <summary>Bodies of a batch beside the same bodies one by one, by every rule: what lanes and threads do on this runtime.</summary>
+    /// <summary>Bodies that are stepped together beside the same bodies one by one, by every rule: what lanes and threads do on this runtime.</summary>
     internal static class TogetherAndAlone
     {
         private const int Bodies = 37;
         private static readonly TimeSteps Steps = TimeSteps.Every(0.02);
 
-        /// <summary>Throws where a body of a batch has other bits than alone.</summary>
+        /// <summary>Throws where a body among many has other bits than alone.</summary>
         public static void Compare()
         {
             foreach (Rule rule in Rules.All)
@@ -28,13 +28,13 @@ namespace RigidBodyDynamics.BitHash
 
         private static void Compare(BodyDescription body)
         {
-            Batch together = new Batch(body, Steps) { Threads = OperatingSystem.IsBrowser() ? 1 : 2 };
+            Simulation together = new Simulation(Steps) { Threads = OperatingSystem.IsBrowser() ? 1 : 2 };
             BodyDescription[] alone = new BodyDescription[Bodies];
             for (int i = 0; i < Bodies; i++)
             {
                 BodyState start = new BodyState(
                     Vector3d.Zero, Quaterniond.Identity, new Vector3d(i, 1, 0), new Vector3d(0.1 * i, 3 - 0.2 * i, 0.01));
-                together.Add(start);
+                together.Add(body, start);
                 alone[i] = body.Copy("body " + i, body.Mass);
                 alone[i].Start = start;
             }
@@ -45,7 +45,7 @@ namespace RigidBodyDynamics.BitHash
             for (int i = 0; i < Bodies; i++)
             {
                 StateHash a = default(StateHash), b = default(StateHash);
-                a.Add(together[i]);
+                a.Add(together.Bodies[i].State);
                 b.Add(one.Bodies[i].State);
                 if (a.Value != b.Value)
                     throw new InvalidOperationException(body.Rule.Name + ", body " + i + ": other bits together than alone");

@@ -126,16 +126,16 @@ internal sealed class Reading(string folder)
         TrajectoryCsv csv = new(table);
         try
         {
-            Population bodies = new(scene, file.Crowds.ToDictionary(crowd => crowd.Key, crowd => crowd.Value with { Count = Math.Min(MostOfOneKind, crowd.Value.Count) }));
+            Simulation bodies = ManyBodies.Simulate(scene, file.Crowds.ToDictionary(crowd => crowd.Key, crowd => crowd.Value with { Count = Math.Min(MostOfOneKind, crowd.Value.Count) }));
             long steps = Math.Min(MostSteps, scene.Steps.Count);
             for (int i = 0; i < steps; i++)
             {
                 bodies.Step(1);
-                bodies.MustBeFinite(Path);
+                RunCommand.MustBeFinite(bodies, Path);
             }
 
-            bodies.WriteRows(csv);
-            Look(table.ToString(), [.. bodies.States(int.MaxValue).Select(body => body.Name)]);
+            csv.WriteRows(bodies);
+            Look(table.ToString(), [.. bodies.Bodies.Select(ManyBodies.NameOf)]);
             return Outcome.Ran;
         }
         catch (ArgumentException)

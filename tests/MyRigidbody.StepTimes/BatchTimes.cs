@@ -41,12 +41,12 @@ namespace RigidBodyDynamics.StepTimes
 
         private static void Compare(string what, Func<BodyDescription> make)
         {
-            Batch batch = Many(make(), InCache);
+            Simulation batch = Many(make(), InCache);
             BodyDescription[] bodies = new BodyDescription[InCache];
             for (int i = 0; i < InCache; i++)
             {
                 bodies[i] = make().Copy("body " + i, make().Mass);
-                bodies[i].Start = batch[i];
+                bodies[i].Start = batch.Bodies[i].State;
             }
 
             Simulation alone = new Simulation(new Scene("alone", string.Empty, Steps, bodies), Omissions.None);
@@ -63,7 +63,7 @@ namespace RigidBodyDynamics.StepTimes
 
         private static void Damped(string what, BodyDescription body)
         {
-            Batch fresh = Many(body, InCache), damped = Many(body, InCache);
+            Simulation fresh = Many(body, InCache), damped = Many(body, InCache);
             damped.Step(100000);
             double first = double.PositiveInfinity, last = double.PositiveInfinity;
             for (int turn = 0; turn < Turns; turn++)
@@ -77,7 +77,7 @@ namespace RigidBodyDynamics.StepTimes
 
         private static void Stream(string what, BodyDescription body, int numbers)
         {
-            Batch batch = Many(body, InMemory);
+            Simulation batch = Many(body, InMemory);
             double[] scaled = new double[32 * InMemory];
             double scale = double.PositiveInfinity, one = double.PositiveInfinity, two = double.PositiveInfinity;
             for (int turn = 0; turn < 12; turn++)
@@ -95,15 +95,13 @@ namespace RigidBodyDynamics.StepTimes
 
         private static void Coasting()
         {
-            Batch stepped = Many(Body(1, 2, 3), InMemory / 10), waits = Many(Body(1, 2, 3), InMemory / 10, Omissions.Coasting);
-            BodyState[] states = new BodyState[waits.Count];
+            Simulation stepped = Many(Body(1, 2, 3), InMemory / 10), waits = Many(Body(1, 2, 3), InMemory / 10, Omissions.Coasting);
             // about the unstable axis there is no closed form
-            for (int id = 0; id < stepped.Count; id++)
+            foreach (Body body in waits.Bodies)
             {
-                BodyState start = waits[id];
+                BodyState start = body.State;
                 start.AngularVelocity = start.Orientation.Rotate(new Vector3d(3, start.Velocity.Y, start.Velocity.Z));
-                waits.Remove(id);
-                waits.Add(start);
+                body.State = start;
             }
 
             double step = double.PositiveInfinity, wait = double.PositiveInfinity, form = double.PositiveInfinity, look = double.PositiveInfinity;
@@ -111,13 +109,13 @@ namespace RigidBodyDynamics.StepTimes
             {
                 step = Math.Min(step, Time(() => stepped.Step()));
                 wait = Math.Min(wait, Time(() => waits.Step(1280)));
-                form = Math.Min(form, Time(() => waits.Read(states)));
-                look = Math.Min(look, Time(() => waits.Read(states)));
+                form = Math.Min(form, Time(() => Read(waits)));
+                look = Math.Min(look, Time(() => Read(waits)));
             }
 
             Write(
                 "{0} coasting bodies: 1280 steps unseen take {1:e1} of one step, the closed form {2:f1} steps, looking at all {3:f1} steps",
-                stepped.Count, wait / step, (form - look) / step, look / step);
+                stepped.Bodies.Count, wait / step, (form - look) / step, look / step);
         }
 
         private static void Scale(double[] numbers)
@@ -128,14 +126,20 @@ namespace RigidBodyDynamics.StepTimes
                 lanes[i] *= factor;
         }
 
-        private static Batch Many(BodyDescription body, int count, Omissions mayLeaveOut = Omissions.None)
+        private static void Read(Simulation simulation)
+        {
+            foreach (Body body in simulation.Bodies)
+                _ = body.State;
+        }
+
+        private static Simulation Many(BodyDescription body, int count, Omissions mayLeaveOut = Omissions.None)
         {
             Random random = new Random(1);
-            Batch batch = new Batch(body, Steps, mayLeaveOut) { Threads = 1 };
+            Simulation batch = new Simulation(new Scene("many", string.Empty, Steps, new BodyDescription[0]), mayLeaveOut) { Threads = 1 };
             for (int i = 0; i < count; i++)
             {
                 Vector3d w = body.CanTurn ? Any(random) : Vector3d.Zero;
-                batch.Add(new BodyState(Any(random), new Quaterniond(1, Any(random)).Normalized, Any(random), w));
+                batch.Add(body, new BodyState(Any(random), new Quaterniond(1, Any(random)).Normalized, Any(random), w));
             }
 
             return batch;

@@ -53,5 +53,10 @@ namespace RigidBodyDynamics
 
         /// <summary>The same settings, to be changed without changing these.</summary>
         public UnitySettings Copy() => (UnitySettings)MemberwiseClone();
+
+        internal bool IsLike(UnitySettings other) =>
+            Drag == other.Drag && AngularDrag == other.AngularDrag && MaxAngularVelocity == other.MaxAngularVelocity
+            && SleepThreshold == other.SleepThreshold && WakeCounter == other.WakeCounter && GyroscopicForces == other.GyroscopicForces
+            && InDouble == other.InDouble && FirstOrderOrientation == other.FirstOrderOrientation;
     }
 }

@@ -31,8 +31,6 @@ internal static class Values
             _ when type == typeof(TimeSteps) => TimeSteps.Every(0.5, 2),
             _ when type == typeof(Scene) => new Scene("scene", "", TimeSteps.Every(0.5, 2), [(BodyDescription)Sound(typeof(BodyDescription))]),
             _ when type == typeof(Simulation) => new Simulation((Scene)Sound(typeof(Scene))),
-            _ when type == typeof(Batch) => Batch(),
-            _ when type == typeof(Memory<BodyState>) => new BodyState[4].AsMemory(),
             _ when type == typeof(Body) => ((Simulation)Sound(typeof(Simulation))).Bodies[0],
             _ when type == typeof(Effect) => ((BodyDescription)Sound(typeof(BodyDescription))).With(new Force(vector)).Effects[0],
             _ when type == typeof(Predicate<Effect>) => (Predicate<Effect>)(effect => false),
@@ -57,14 +55,6 @@ internal static class Values
             _ when type.IsValueType || type.GetConstructor([]) != null => Activator.CreateInstance(type)!,
             _ => throw new NotSupportedException($"no sound value of {type} is known: add one here"),
         };
-    }
-
-    private static Batch Batch()
-    {
-        Batch batch = new((BodyDescription)Sound(typeof(BodyDescription)), TimeSteps.Every(0.5, 2));
-        batch.Add(BodyState.AtRest);
-        batch.Add(BodyState.AtRest);
-        return batch;
     }
 
     /// <summary>Values that nobody should pass.</summary>

@@ -61,7 +61,7 @@ public sealed class BatchBitsTests
         foreach (string act in new[] { "nothing", "keys in windows", "what reads the state" })
         {
             BodyDescription body = Acting[act](new BodyDescription("body", Crowding.Masses.First()));
-            Batch one = new(body, TimeSteps.Every(0.02)) { Threads = 1 }, many = new(body, TimeSteps.Every(0.02)) { Threads = threads };
+            Together one = new(body, TimeSteps.Every(0.02)) { Threads = 1 }, many = new(body, TimeSteps.Every(0.02)) { Threads = threads };
             BodyState[] starts = Crowding.Starts(2100, 3, body), expected = new BodyState[2100], found = new BodyState[2100];
             foreach (BodyState start in starts)
             {

@@ -22,7 +22,7 @@ public sealed class BatchEffectTests
         BodyState[] starts = Crowding.Starts(1300, 1, body), states = new BodyState[1300];
         foreach (int count in new[] { 1, 7, 100 })
         {
-            Batch batch = new(body, Steps) { Threads = threads };
+            Together batch = new(body, Steps) { Threads = threads };
             foreach (BodyState start in starts)
                 batch.Add(start);
 
@@ -47,7 +47,7 @@ public sealed class BatchEffectTests
     public void Effect_that_breaks_for_one_body_names_it_and_the_others_go_on_without([ValueSource(nameof(RuleNames))] string rule, [Values(1, 3)] int threads)
     {
         BodyDescription body = new BodyDescription("b", Crowding.Masses.First()) { Rule = Rules.Named(rule) }.With(new AtHeight(7.51));
-        Batch batch = new(body, Steps) { Threads = threads };
+        Together batch = new(body, Steps) { Threads = threads };
         for (int i = 0; i < 1500; i++)
             batch.Add(Start(i is 1000 or 1400 ? 7 : 1 + (i * 1e-4)));
 
@@ -76,7 +76,7 @@ public sealed class BatchEffectTests
         Keyboard keyboard = new();
         BodyDescription body = new BodyDescription("b", Crowding.Masses.First()) { Rule = Rules.Named(rule) }.With(new AtTime(true, 0.5));
         _ = byKeys ? body.With(new HeldKeys(keyboard)) : body.With(new HeldBy(hand));
-        Batch batch = new(body, Steps);
+        Together batch = new(body, Steps);
         Simulation alone = new(Steps, body);
         batch.Add(body.Start);
         for (int i = 0; i < 6; i++)
@@ -99,7 +99,7 @@ public sealed class BatchEffectTests
         Crowding.Same(batch[0], alone.Bodies[0].State, rule);
     }
 
-    private static BrokenEffectException Broken(Batch batch, int count) => Assert.Throws<BrokenEffectException>(() =>
+    private static BrokenEffectException Broken(Together batch, int count) => Assert.Throws<BrokenEffectException>(() =>
     {
         while (batch.StepsDone < 10_000)
             batch.Step(count);

@@ -26,7 +26,7 @@ public sealed class BatchLifeTests
         int longest = act == "Exact, nothing" || act == "Exact, gravity and damping" ? 300 : 9;
         BodyDescription body = Acting[act](new BodyDescription("body", Crowding.Masses.ElementAt(mass)) { Rule = Rules.Named(act.Split(',')[0]) });
         BodyState[] starts = Crowding.Starts(200, 2, body);
-        Batch batch = new(body, Steps);
+        Together batch = new(body, Steps);
         Dictionary<int, (long Since, Simulation Alone)> alone = [];
         for (int i = 0; i < 300; i++)
         {
@@ -76,7 +76,7 @@ public sealed class BatchLifeTests
         BodyDescription body = new BodyDescription("body", Crowding.Masses.ElementAt(1))
             .With(new Gravity(new Vector3d(0, -9.81, 0)), 2).With(Torque.Constant(new Vector3d(0, 0.1, 0)), 3, 4);
         BodyState[] starts = Crowding.Starts(21, 3, body);
-        Batch often = new(body, Steps), once = new(body, Steps);
+        Together often = new(body, Steps), once = new(body, Steps);
         foreach (BodyState start in starts)
         {
             often.Add(start);
@@ -98,7 +98,7 @@ public sealed class BatchLifeTests
     public void Bodies_that_may_not_wait_are_stepped()
     {
         BodyDescription body = new("body", Crowding.Masses.First());
-        Batch waits = new(body, Steps), stepped = new(body, Steps, Omissions.None);
+        Together waits = new(body, Steps), stepped = new(body, Steps, Omissions.None);
         BodyState start = new(Vector3d.Zero, Quaterniond.Identity, new Vector3d(1, 0, 0), new Vector3d(1, 2, 3));
         waits.Add(start);
         stepped.Add(start);
@@ -111,24 +111,6 @@ public sealed class BatchLifeTests
         Assert.That(Conserved.AngleBetween(waits[0].Orientation, stepped[0].Orientation), Is.LessThan(1e-12)); // measured 9e-15
     }
 
-    [Test]
-    public void Number_of_a_body_is_its_own_until_it_goes()
-    {
-        Batch batch = new(new BodyDescription("body", Crowding.Masses.First()), Steps);
-        int[] ids = [.. Enumerable.Range(0, 5).Select(i => batch.Add(At(i)))];
-        Assert.That(ids, Is.EqualTo(new[] { 0, 1, 2, 3, 4 }));
-        batch.Remove(1);
-        batch.Remove(3);
-        Assert.That(batch.Count, Is.EqualTo(3));
-        Assert.That(new[] { batch[0], batch[2], batch[4] }.Select(s => s.Position.X), Is.EqualTo(new[] { 0.0, 2, 4 }));
-        Assert.That(new[] { batch.Add(At(5)), batch.Add(At(6)), batch.Add(At(7)) }, Is.EqualTo(new[] { 3, 1, 5 }));
-        BodyState[] states = new BodyState[batch.EndOfIds];
-        batch.Read(states);
-        Assert.That(states.Select(s => s.Position.X), Is.EqualTo(new[] { 0.0, 6, 2, 5, 4, 7 }));
-
-        static BodyState At(int x) => new(new Vector3d(x, 0, 0), Quaterniond.Identity, Vector3d.Zero, Vector3d.Zero);
-    }
-
     [TestCase("Exact, nothing", 1)]
     [TestCase("Exact, torque", 1)]
     [TestCase("Exact4, spring", 1)]
@@ -137,7 +119,7 @@ public sealed class BatchLifeTests
     {
         BodyDescription body = Acting[act](new BodyDescription("body", Crowding.Masses.First()) { Rule = Rules.Named(act.Split(',')[0]) });
         BodyState[] starts = Crowding.Starts(1200, 1, body), states = new BodyState[1200];
-        Batch batch = new(body, Steps) { Threads = threads };
+        Together batch = new(body, Steps) { Threads = threads };
         foreach (BodyState start in starts)
             batch.Add(start);
         Live();
@@ -158,47 +140,11 @@ public sealed class BatchLifeTests
             batch.Remove(1077);
             batch.Step();
             batch.Read(states);
-            batch.Add(batch[5]);
-            batch.Add(states[78]);
+            batch.Return(77, batch[5]);
+            batch.Return(1077, states[78]);
             batch.Step(act == "Exact, nothing" ? 130 : 2);
             _ = batch[12];
         }
-    }
-
-    [Test]
-    public void What_is_impossible_is_refused_by_name_and_changes_nothing()
-    {
-        Batch batch = new(new BodyDescription("body", Crowding.Masses.First()) { CanMove = false }, TimeSteps.Every(0.1, 10));
-        batch.Add(BodyState.AtRest);
-        int gone = batch.Add(BodyState.AtRest);
-        batch.Remove(gone);
-        batch.Step(3);
-        BodyState moving = BodyState.AtRest, nowhere = BodyState.AtRest;
-        moving.Velocity = new Vector3d(1, 0, 0);
-        nowhere.Position = new Vector3d(0, double.NaN, 0);
-        Refused(() => batch.Step(-1), "count", -1L);
-        Refused(() => batch.Step(8), "count", 8L);
-        Refused(() => batch.Threads = 0, "Threads", 0);
-        Refused(() => _ = batch[1], "id", 1);
-        Refused(() => _ = batch[-1], "id", -1);
-        Refused(() => batch.Remove(7), "id", 7);
-        Refused(() => batch.Remove(gone), "id", gone);
-        Refused(() => _ = batch[gone], "id", gone);
-        Refused(() => batch.IsAsleep(int.MaxValue), "id", int.MaxValue);
-        Refused(() => batch.Read(new BodyState[1]), "states", 1);
-        Refused(() => batch.Add(default), "orientation", default(Quaterniond));
-        Refused(() => batch.Add(BodyState.AtRest, new Vector3d(double.NaN, 0, 0)), "angularVelocityInBody", new Vector3d(double.NaN, 0, 0));
-        Refused(() => batch.Read(Memory<BodyState>.Empty), "states", 0);
-        Refused(() => batch.Add(moving), "velocity", moving.Velocity);
-        Refused(() => batch.Add(nowhere), "position", nowhere.Position);
-        Assert.That(() => new Batch(null!, Steps), Throws.ArgumentNullException.With.Property("ParamName").EqualTo("body"));
-        Assert.That(() => new Batch(new BodyDescription("body", Crowding.Masses.First()), null!), Throws.ArgumentNullException.With.Property("ParamName").EqualTo("steps"));
-        Assert.That(() => batch[gone], Throws.Exception.With.Message.EqualTo("id: must be the number of a body that is there, found 1"));
-        Assert.That((batch.Count, batch.EndOfIds, batch.StepsDone, batch.Time, batch[0]), Is.EqualTo((1, 2, 3L, 3 * 0.1, BodyState.AtRest)));
-        Assert.That(batch.Add(BodyState.AtRest), Is.EqualTo(gone));
-
-        static void Refused(Action act, string name, object value) => Assert.That(
-            act, Throws.InstanceOf<ArgumentOutOfRangeException>().With.Property("ParamName").EqualTo(name).And.Property("ActualValue").EqualTo(value));
     }
 
     private static BodyDescription Alone(BodyDescription body, BodyState start)

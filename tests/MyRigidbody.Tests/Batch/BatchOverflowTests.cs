@@ -21,7 +21,7 @@ public sealed class BatchOverflowTests
         Assert.That(alone.Step, Is.InRange(25, 26)); // 25.5 steps of 0.02 m, asked at the beginning of a step or after it
         foreach (int count in new[] { 1, 5, 64, 200 })
         {
-            Batch batch = new(body, Steps) { Threads = 2 };
+            Together batch = new(body, Steps) { Threads = 2 };
             for (int i = 0; i < 2100; i++)
                 batch.Add(Start(i == 1500 ? 7 : 1 + (i * 1e-4)));
 
@@ -58,7 +58,7 @@ public sealed class BatchOverflowTests
         BodyDescription body = new BodyDescription("b", Crowding.Masses.First()) { Rule = Rules.Named(rule) }.With(new Feeding(30 * strength));
         foreach (int count in new[] { 1, 50, 3000 })
         {
-            Batch batch = new(body, Steps);
+            Together batch = new(body, Steps);
             for (int i = 0; i < 40; i++)
                 batch.Add(new BodyState(Vector3d.Zero, Quaterniond.Identity, new Vector3d(i == 33 ? 3 : 1e-30, 0, 0), Vector3d.Zero));
 
@@ -82,7 +82,7 @@ public sealed class BatchOverflowTests
 
         foreach (int count in new[] { 1, 7, 2000 })
         {
-            Batch batch = new(body, Steps) { Threads = 3 };
+            Together batch = new(body, Steps) { Threads = 3 };
             foreach (BodyState start in Crowding.Starts(2500, 1, body))
                 batch.Add(start);
 
@@ -105,7 +105,7 @@ public sealed class BatchOverflowTests
         if (isSteered)
             body.With(new HeldBy(new Hand()));
 
-        Batch batch = new(body, steps);
+        Together batch = new(body, steps);
         Random random = new(5);
         Dictionary<int, long> lostAfter = [];
         BodyState stays = Start(150);
@@ -140,10 +140,11 @@ public sealed class BatchOverflowTests
             {
                 named++;
                 Assert.That(lost.Step, Is.EqualTo(lostAfter.Values.Min()));
-                Assert.That(lostAfter[lost.Number], Is.EqualTo(lost.Step));
+                int id = batch.IdOf(lost.Handle!);
+                Assert.That(lostAfter[id], Is.EqualTo(lost.Step));
                 Assert.That(batch.StepsDone, Is.EqualTo(Math.Max(began, lost.Step)));
-                batch.Remove(lost.Number);
-                lostAfter.Remove(lost.Number);
+                batch.Remove(id);
+                lostAfter.Remove(id);
             }
         }
 
@@ -161,7 +162,7 @@ public sealed class BatchOverflowTests
         double g = Largest / 20;
         BodyDescription body = new BodyDescription("b", MassProperties.FromPrincipal(1, new Vector3d(1, 2, 3))) { Rule = Rules.Named(rule) }
             .With(new Force(new Vector3d(50 * g, 0, 0))).With(Awake);
-        Batch batch = new(body, Steps);
+        Together batch = new(body, Steps);
         for (int i = 0; i < 7; i++)
             batch.Add(new BodyState(Vector3d.Zero, Quaterniond.Identity, new Vector3d((0.5 - (i == 4 ? 0 : 15)) * g, 0, 0), Vector3d.Zero));
 
@@ -189,7 +190,7 @@ public sealed class BatchOverflowTests
             .With(new Gravity(new Vector3d(0, 3e152, 0))).With(Torque.Constant(new Vector3d(0, 1, 0)), 2000);
         StateOverflowException alone = Assert.Throws<StateOverflowException>(() => new Simulation(TimeSteps.Every(1), body).Step(3000))!;
         Assert.That(alone.Step, Is.EqualTo(44));
-        Batch batch = new(body, TimeSteps.Every(1)) { Threads = threads };
+        Together batch = new(body, TimeSteps.Every(1)) { Threads = threads };
         foreach (BodyState start in Crowding.Starts(20, 1, body))
             batch.Add(start);
 
@@ -205,11 +206,12 @@ public sealed class BatchOverflowTests
             batch.Remove(i);
 
         Assert.That(batch[late].Velocity.Y, Is.EqualTo(34 * 3e152).Within(1).Ulps);
-        Assert.That(() => batch.Step(3000), Throws.InstanceOf<StateOverflowException>().With.Property("Step").EqualTo(74).And.Property("Number").EqualTo(late));
+        StateOverflowException last = Assert.Throws<StateOverflowException>(() => batch.Step(3000))!;
+        Assert.That((last.Step, batch.IdOf(last.Handle!)), Is.EqualTo((74L, late)));
         Assert.That(before.IsFinite);
     }
 
-    private static StateOverflowException Lost(Batch batch, int count) => Assert.Throws<StateOverflowException>(() =>
+    private static StateOverflowException Lost(Together batch, int count) => Assert.Throws<StateOverflowException>(() =>
     {
         while (batch.StepsDone < 10_000)
             batch.Step(count);

@@ -26,14 +26,14 @@ public sealed class BatchThreadsTests
     public void Number_of_threads_may_change_while_helpers_are_in_the_queue(string rule, int callsBetweenSleeps)
     {
         BodyState[] starts = Crowding.Starts(Bodies, 3, Body(null)), expected = new BodyState[Bodies], found = new BodyState[Bodies];
-        Batch one = Filled(1, null);
+        Together one = Filled(1, null);
         one.Step(1 + Steps + 3);
         one.Read(expected);
         for (int round = 0; round < 4; round++)
         {
             using ManualResetEventSlim go = new();
             using CountdownEvent waiting = new(PoolThreads);
-            Batch many = Filled(8, go);
+            Together many = Filled(8, go);
             Task[] busy = [.. Enumerable.Range(0, PoolThreads).Select(_ => Task.Run(() =>
             {
                 waiting.Signal();
@@ -56,9 +56,9 @@ public sealed class BatchThreadsTests
         BodyDescription Body(ManualResetEventSlim? go) =>
             new BodyDescription("body", Crowding.Masses.First()) { Rule = Rules.Named(rule) }.With(new Starter(go, callsBetweenSleeps));
 
-        Batch Filled(int threads, ManualResetEventSlim? go)
+        Together Filled(int threads, ManualResetEventSlim? go)
         {
-            Batch batch = new(Body(go), TimeSteps.Every(0.02), Omissions.None) { Threads = threads };
+            Together batch = new(Body(go), TimeSteps.Every(0.02), Omissions.None) { Threads = threads };
             foreach (BodyState start in starts)
                 batch.Add(start);
 

@@ -50,7 +50,7 @@ internal static class Crowding
     /// <summary>Bodies of a batch, each beside the same body alone.</summary>
     public static void Same(BodyDescription body, TimeSteps steps, BodyState[] starts, IEnumerable<long> looks, int threads = 1)
     {
-        Batch batch = new(body, steps) { Threads = threads };
+        Together batch = new(body, steps) { Threads = threads };
         foreach (BodyState start in starts)
             batch.Add(start);
         Simulation? alone = starts.Length == 0 ? null : new(new Scene("alone", "", steps, [.. starts.Select(Alone)]), Omissions.Coasting);

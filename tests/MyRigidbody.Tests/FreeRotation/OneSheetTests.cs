@@ -69,7 +69,7 @@ public sealed class OneSheetTests
             double dt = angle / Bodies[name].Spin.Length;
             BodyDescription body = Body(name, damping: 0);
             Simulation stepped = Scenery.Stepped(TimeSteps.Every(dt), body), coasting = new(TimeSteps.Every(dt), body);
-            Batch batch = new(body, TimeSteps.Every(dt), Omissions.None);
+            Together batch = new(body, TimeSteps.Every(dt), Omissions.None);
             int id = batch.Add(body.Start);
             FreeMotion free = new(body);
             for (int n = 1; n <= 200; n++)

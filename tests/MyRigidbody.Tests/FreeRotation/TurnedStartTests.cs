@@ -64,7 +64,7 @@ public sealed class TurnedStartTests
         {
             BodyDescription alone = Turned(MassProperties.FromPrincipal(1, moments), Tilt, new(1e-15, 5, 1e-15), "Exact");
             BodyDescription like = alone.Copy("like", alone.Mass);
-            Batch batch = new(like, TimeSteps.Every(0.02));
+            Together batch = new(like, TimeSteps.Every(0.02));
             int id = batch.Add(alone.Start, alone.AngularVelocityInBody);
             Simulation simulation = new(TimeSteps.Every(0.02), alone);
             foreach (long steps in new[] { 0, 1, 400, 2000 })

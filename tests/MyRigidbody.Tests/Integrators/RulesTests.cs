@@ -29,7 +29,7 @@ public sealed class RulesTests
         body.Rule = Rules.Of<MomentumEuler>();
         Simulation alone = new(TimeSteps.Every(0.02), body);
         alone.Step(50);
-        Batch batch = new(body, TimeSteps.Every(0.02));
+        Together batch = new(body, TimeSteps.Every(0.02));
         int id = batch.Add(body.Start);
         batch.Step(50);
         Assert.That(body.Rule.Name, Is.EqualTo("MomentumEuler"));

@@ -26,8 +26,8 @@ internal sealed class Parsed
     /// <summary>The page of <c>run</c> for a scene.</summary>
     public static Parsed Ran(string name, double step, long steps, params string[] bodies) => InFile(name, step, steps, bodies, file =>
     {
-        Population population = new(file.Scene, file.Crowds);
-        return new Parsed(PageWriter.Html(Reports.Of(file, file.Scene, population, "run " + Page.Shown(file.Path))));
+        Simulation simulation = ManyBodies.Simulate(file.Scene, file.Crowds);
+        return new Parsed(PageWriter.Html(Reports.Of(file, file.Scene, simulation, "run " + Page.Shown(file.Path))));
     });
 
     /// <summary>The page of <c>compare</c> for a scene.</summary>

@@ -11,7 +11,7 @@ public sealed class MisuseTests
     {
         BodyDescription body = Scenery.Busy(rule), other = Scenery.Busy(rule);
         Simulation simulation = new(TimeSteps.Every(0.02), body), expected = new(TimeSteps.Every(0.02), other);
-        Batch batch = new(body, TimeSteps.Every(0.02)), expectedBatch = new(other, TimeSteps.Every(0.02));
+        Together batch = new(body, TimeSteps.Every(0.02)), expectedBatch = new(other, TimeSteps.Every(0.02));
         batch.Add(body.Start);
         expectedBatch.Add(other.Start);
         for (int i = 0; i < 2; i++)
@@ -59,19 +59,17 @@ public sealed class MisuseTests
     }
 
     [Test]
-    public void Effect_that_steps_its_own_batch_is_named()
+    public void Effect_that_steps_the_simulation_of_many_is_named()
     {
         Holder holder = new();
         BodyDescription body = Scenery.Body("Exact", "b").With(new Calling(holder));
-        Batch batch = new(body, TimeSteps.Every(0.02));
-        batch.Add(body.Start);
-        holder.Call = () => batch.Step();
-        Assert.That(
-            () => batch.Step(),
-            Throws.InstanceOf<BrokenEffectException>().With.Message.Contains("batch of \"b\": is being stepped already, by ").And.InnerException.InstanceOf<InvalidOperationException>());
-        Assert.That(batch.StepsDone, Is.Zero);
+        Together many = new(body, TimeSteps.Every(0.02));
+        many.Add(body.Start);
+        holder.Call = () => many.Step();
+        Assert.That(() => many.Step(), Throws.InstanceOf<BrokenEffectException>().With.InnerException.Message.StartsWith("simulation \"together\": is being stepped already, by "));
+        Assert.That(many.StepsDone, Is.Zero);
         holder.Call = () => { };
-        Assert.That(() => batch.Step(), Throws.Nothing);
+        Assert.That(() => many.Step(), Throws.Nothing);
     }
 
     [Test]
@@ -114,7 +112,7 @@ public sealed class MisuseTests
                 Start = new BodyState(Vector3d.Zero, Quaterniond.Identity, new Vector3d(1, 0, 0), new Vector3d(0, 0, 1e-3)),
             };
             Simulation simulation = new(TimeSteps.Every(step), body);
-            Batch batch = new(body, TimeSteps.Every(step));
+            Together batch = new(body, TimeSteps.Every(step));
             batch.Add(body.Start);
             simulation.Step(long.MaxValue);
             batch.Step(long.MaxValue);

@@ -79,7 +79,7 @@ public sealed class StateOverflowTests
             ? new BodyState(Vector3d.Zero, Quaterniond.Identity, v, Vector3d.Zero)
             : new BodyState(Vector3d.Zero, Quaterniond.Identity, Vector3d.Zero, v);
         Assert.That(() => new Simulation(TimeSteps.Every(1), body), Throws.InstanceOf<ArgumentException>().With.Message.StartsWith(name + ": must leave a finite kinetic energy"));
-        Assert.That(() => new Batch(Scenery.Body("Exact"), TimeSteps.Every(1)).Add(body.Start), Throws.InstanceOf<ArgumentException>().With.Message.StartsWith(name + ": must leave a finite kinetic energy"));
+        Assert.That(() => new Together(Scenery.Body("Exact"), TimeSteps.Every(1)).Add(body.Start), Throws.InstanceOf<ArgumentException>().With.Message.StartsWith(name + ": must leave a finite kinetic energy"));
     }
 
     [Test]

@@ -1,0 +1,90 @@
+#if NET
+using System;
+using System.Collections.Generic;
+
+namespace RigidBodyDynamics
+{
+    /// <summary>A crowd whose bodies move by one rule: what is wanted of a single one is done by its own struct.</summary>
+    internal abstract class CrowdOf<TBody> : Crowd where TBody : struct, IIntegrator
+    {
+        private readonly List<TBody> _aside = new List<TBody>();
+        private Stretch<TBody>[] _loaded;
+
+        public override bool HasClosedForm(int place, in Coasting coasting)
+        {
+            // which steps it is prepared for does not matter
+            TBody body = Out(place);
+            body.Prepare(1, coasting);
+            return body.HasClosedForm;
+        }
+
+        public override void Push(int place, in Wrench impulse)
+        {
+            TBody body = Out(place);
+            body.Push(impulse);
+            if (!body.IsFinite)
+                throw Guard.Refused("impulse", impulse.Force.IsFinite && impulse.Force.LengthSquared > 0 ? impulse.Force : impulse.Torque, "must leave a finite velocity");
+
+            In(place, body);
+        }
+
+        public override bool StepAside(BodyPlan plan, int stretch, int place, long step, Mover loaded)
+        {
+            TBody body = Out(place);
+            _loaded = _loaded ?? StretchBuilder<TBody>.Bind(plan, isWatched: false, loaded: loaded);
+            _loaded[stretch].Forget();
+            try
+            {
+                _loaded[stretch].Run(ref body, plan.Steps, step, step + 1);
+            }
+            catch (Exception)
+            {
+                // an effect's; asked for it again when it is named
+                return false;
+            }
+
+            _aside.Add(body);
+            return body.IsFinite;
+        }
+
+        public override void TakeBack(int aside, int place) => In(place, _aside[aside]);
+
+        public override void ForgetAside() => _aside.Clear();
+
+        public override Exception Blame(BodyPlan plan, int stretch, int place, Body handle, long step, Mover loaded = null)
+        {
+            TBody body = Out(place);
+            try
+            {
+                StretchBuilder<TBody>.Bind(plan, isWatched: true, loaded: loaded)[stretch].Run(ref body, plan.Steps, step, step + 1);
+                return body.IsFinite ? null : new StateOverflowException(plan, step, handle);
+            }
+            catch (BrokenEffectException broken)
+            {
+                return new BrokenEffectException(broken, handle);
+            }
+        }
+
+        public override LoneMover Alone(BodyPlan plan, Clock clock, int place, long since, int keptIn, int stretch, bool coasts) =>
+            new Mover<TBody>(plan, clock, Out(place), Kept(place), since, keptIn, stretch, coasts);
+
+        /// <summary>A body as it is now.</summary>
+        protected abstract TBody Out(int place);
+
+        /// <summary>A body as it was kept.</summary>
+        protected abstract TBody Kept(int place);
+
+        /// <summary>Makes a body another.</summary>
+        protected abstract void In(int place, TBody body);
+
+        /// <summary>Makes an array as another is.</summary>
+        protected static void Copy<T>(T[] from, ref T[] to)
+        {
+            if (to.Length != from.Length)
+                to = new T[from.Length];
+
+            Array.Copy(from, to, from.Length);
+        }
+    }
+}
+#endif

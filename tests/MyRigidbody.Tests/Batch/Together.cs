@@ -1,0 +1,67 @@
+namespace RigidBodyDynamics.Tests;
+
+/// <summary>Bodies that a simulation stores and steps together, by the number in which they came.</summary>
+internal sealed class Together
+{
+    private readonly Simulation _simulation;
+    private readonly BodyDescription _like;
+    private readonly List<Body> _bodies = [];
+
+    public Together(BodyDescription body, TimeSteps steps, Omissions mayLeaveOut = Omissions.Coasting)
+    {
+        _like = body.Copy(body.Name, body.Mass);
+        _simulation = new(new Scene("together", "", steps, []), mayLeaveOut);
+        // the first of a kind is moved alone
+        _simulation.Remove(_simulation.Add(_like));
+    }
+
+    public int Count => _simulation.Bodies.Count;
+
+    public int EndOfIds => _bodies.Count;
+
+    public long StepsDone => _simulation.StepsDone;
+
+    public int Threads
+    {
+        get => _simulation.Threads;
+        set => _simulation.Threads = value;
+    }
+
+    public BodyState this[int id] => _bodies[id].State;
+
+    public int Add(in BodyState start)
+    {
+        _bodies.Add(_simulation.Add(_like, start));
+        return _bodies.Count - 1;
+    }
+
+    public int Add(in BodyState start, Vector3d angularVelocityInBody)
+    {
+        _like.Start = start;
+        _like.AngularVelocityInBody = angularVelocityInBody;
+        _bodies.Add(_simulation.Add(_like));
+        return _bodies.Count - 1;
+    }
+
+    public void Remove(int id) => _simulation.Remove(_bodies[id]);
+
+    /// <summary>One that was removed comes back.</summary>
+    public void Return(int id, in BodyState start) => _simulation.Add(_bodies[id], start);
+
+    /// <summary>The number of a body here.</summary>
+    public int IdOf(Body body) => _bodies.IndexOf(body);
+
+    public void Read(BodyState[] states)
+    {
+        for (int i = 0; i < _simulation.Bodies.Count; i++)
+            _ = _simulation.Bodies[i].State;
+
+        for (int i = 0; i < _bodies.Count; i++)
+        {
+            if (!_bodies[i].IsRemoved)
+                states[i] = _bodies[i].State;
+        }
+    }
+
+    public void Step(long count = 1) => _simulation.Step(count);
+}
