@@ -37,7 +37,7 @@ public sealed class BounceTests
             largest = Math.Max(largest, Math.Abs(Energy(box) / start - 1));
         }
 
-        Assert.That(largest, Is.LessThan(1e-9)); // measured 6.4e-13
+        Assert.That(largest, Is.LessThan(1e-9)); // measured 1.1e-13
     }
 
     [Test]

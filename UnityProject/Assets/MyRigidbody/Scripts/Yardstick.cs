@@ -41,11 +41,12 @@ namespace RigidBodyDynamics.Scripts
 
             double part = _body.StepLength / Parts;
             long behind = Parts * _watched.StepsDone - _exact.StepsDone;
-            if (part == _exact.Scene.Steps.Length(0))
+            bool isSteady = part == _exact.Scene.Steps.Length(0);
+            if (isSteady)
                 _exact.Step(Math.Max(0, behind));
-            else
-                for (; behind > 0; behind--)
-                    _exact.StepBy(part);
+
+            for (; !isSteady && behind > 0; behind--)
+                _exact.StepBy(part);
 
             BodyState exact = _exact.Bodies[0].State, found = _body.State;
             AngleError = Conserved.AngleBetween(exact.Orientation, found.Orientation);
