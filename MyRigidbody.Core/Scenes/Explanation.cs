@@ -149,7 +149,7 @@ namespace RigidBodyDynamics
         {
             double longest = 0;
             for (int i = 0; i < _plan.Stretches.Count; i++)
-                longest = Math.Max(longest, _plan.Steps.Length(_plan.Stretches[i].First));
+                longest = Math.Max(longest, _plan.Steps.Length(Math.Min(_plan.Stretches[i].First, _plan.Steps.Count - 1)));
 
             foreach (Effect effect in _plan.Asked.Effects)
             {

@@ -83,7 +83,9 @@ namespace RigidBodyDynamics
                 cuts.Add(Math.Max(first, steps.FirstAt(effect.To)));
             }
 
-            long[] at = new long[cuts.Count];
+            // who comes after the last step has one stretch, of no step
+            long[] at = new long[Math.Max(2, cuts.Count)];
+            at[1] = first;
             cuts.CopyTo(at);
             StretchPlan[] stretches = new StretchPlan[at.Length - 1];
             for (int i = 0; i < stretches.Length; i++)

@@ -45,7 +45,7 @@ namespace RigidBodyDynamics
         /// </summary>
         public static Vector3d Moments(Vector3d inertiaTensor, out Locks frozen)
         {
-            Vector3d i = inertiaTensor;
+            Vector3d i = Guard.Finite(inertiaTensor, nameof(inertiaTensor));
             double largest = Math.Max(i.X, Math.Max(i.Y, i.Z)), other = largest > 0 ? largest : 1;
             frozen = (i.X == 0 ? Locks.TurnX : 0) | (i.Y == 0 ? Locks.TurnY : 0) | (i.Z == 0 ? Locks.TurnZ : 0);
             return new Vector3d(i.X == 0 ? other : i.X, i.Y == 0 ? other : i.Y, i.Z == 0 ? other : i.Z);

@@ -34,6 +34,7 @@ internal static class Values
             _ when type == typeof(Body) => ((Simulation)Sound(typeof(Simulation))).Bodies[0],
             _ when type == typeof(Effect) => ((BodyDescription)Sound(typeof(BodyDescription))).With(new Force(vector)).Effects[0],
             _ when type == typeof(Predicate<Effect>) => (Predicate<Effect>)(effect => false),
+            _ when type == typeof(Action) => (Action)(() => { }),
             _ when type == typeof(Action<double>) => (Action<double>)(done => { }),
             _ when type == typeof(ICoast) => new LinearDamping(1),
             _ when type == typeof(IPush) => new Force(vector),

@@ -42,6 +42,22 @@ public sealed class ComingAndGoingTests
     }
 
     [Test]
+    public void Who_comes_after_the_last_step_stands_where_it_was_put()
+    {
+        foreach (TimeSteps steps in new[] { TimeSteps.Every(0.5, 2), TimeSteps.Of([0.5, 0.25]) })
+        {
+            Simulation simulation = new(steps, new BodyDescription("first", Slab));
+            simulation.Step(2);
+            BodyDescription late = new BodyDescription("late", Slab) { Start = Tumbling }.With(new Force(new Vector3d(1, 0, 0)), 0.5).With(new Spring(Vector3d.Zero, Vector3d.Zero, 1));
+            Body one = simulation.Add(late), other = simulation.Add(late);
+            simulation.Bodies[0].Change(late);
+            Assert.That((one.State, other.State), Is.EqualTo((Tumbling, Tumbling)));
+            Assert.That(new Explanation(one.Plan).ToString(), Does.StartWith("late, by Exact\n"));
+            Assert.That(() => simulation.Step(), Throws.InstanceOf<ArgumentOutOfRangeException>());
+        }
+    }
+
+    [Test]
     public void Of_ten_bodies_those_that_stay_do_not_feel_that_others_come_and_go()
     {
         Simulation all = new(TimeSteps.Every(1 / 60.0)), alone = new(TimeSteps.Every(1 / 60.0));
