@@ -1,4 +1,3 @@
-using RigidBodyDynamics.Lab.Commands;
 using RigidBodyDynamics.Lab.Comparison;
 
 namespace RigidBodyDynamics.Lab.Report;

@@ -1,5 +1,4 @@
 using NUnit.Framework;
-using static RigidBodyDynamics.Tests.Samples;
 
 namespace RigidBodyDynamics.Tests;
 

@@ -2,7 +2,6 @@ using System.Text.Json;
 using AngleSharp.Html.Dom;
 using AngleSharp.Html.Parser;
 using RigidBodyDynamics.Lab;
-using RigidBodyDynamics.Lab.Commands;
 using RigidBodyDynamics.Lab.Comparison;
 using RigidBodyDynamics.Lab.Report;
 using RigidBodyDynamics.Tests.CommandLine;
