@@ -8,6 +8,8 @@ namespace RigidBodyDynamics
     /// </summary>
     public sealed class Body
     {
+        private Mover _mover;
+
         internal Body(Simulation simulation) => Simulation = simulation;
 
         /// <summary>Its name.</summary>
@@ -67,7 +69,16 @@ namespace RigidBodyDynamics
         internal Simulation Simulation { get; }
 
         /// <summary>What moves it until it is planned anew.</summary>
-        internal Mover Mover { get; set; }
+        internal Mover Mover
+        {
+            get => _mover;
+            set
+            {
+                _mover = value;
+                if (value is LoneMover alone)
+                    alone.Owner = this;
+            }
+        }
 
         /// <summary>Its place in <see cref="Simulation.Bodies"/>; −1 once it has been removed.</summary>
         internal int Index { get; set; } = -1;

@@ -68,6 +68,12 @@ namespace RigidBodyDynamics
 
         protected LoneMover(BodyPlan plan) : base(plan) { }
 
+        /// <summary>The body that it moves.</summary>
+        public Body Owner { get; set; }
+
+        /// <summary>The error that names the body.</summary>
+        protected StateOverflowException Lost(long step) => new StateOverflowException(Plan, step) { Handle = Owner };
+
         /// <summary>The step by which the body has to be stepped again, while it is dormant.</summary>
         public abstract long WakesAt { get; }
 

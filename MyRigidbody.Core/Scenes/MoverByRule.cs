@@ -52,7 +52,7 @@ namespace RigidBodyDynamics
         {
             CatchUp();
             BodyState state = _now.Motion.State;
-            return state.HasFiniteSquares ? state : throw new StateOverflowException(Plan, Math.Max(0, _now.Step - 1));
+            return state.HasFiniteSquares ? state : throw Lost(Math.Max(0, _now.Step - 1));
         }
 
         public override bool IsAsleep(Body body) => _now.Motion.IsAsleep;
@@ -247,7 +247,7 @@ namespace RigidBodyDynamics
             // back to where it began to coast, so that it is said again to whoever looks next
             _now.Motion = _stretches[_now.Stretch].Anchor;
             _now.Step = _now.Anchored;
-            throw new StateOverflowException(Plan, LastFinite(_now, step));
+            throw Lost(LastFinite(_now, step));
         }
 
         /// <summary>All that changes in a body.</summary>

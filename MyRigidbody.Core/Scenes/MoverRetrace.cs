@@ -43,7 +43,7 @@ namespace RigidBodyDynamics
                         continue;
 
                     reached = last.IsDormant && last.Step < _now.Step - 1 ? LastFinite(last, _now.Step) : _now.Step - 1;
-                    failure = new StateOverflowException(Plan, reached);
+                    failure = Lost(reached);
                 }
                 catch (Exception found)
                 {

@@ -25,10 +25,12 @@ namespace RigidBodyDynamics
         /// <summary>Name of the body.</summary>
         public string Body { get; }
 
-        /// <summary>The body itself, where it is one of many that are stored together; null where it is not.</summary>
-        public Body Handle { get; }
+        /// <summary>The body itself; null if it had run away before its simulation had it.</summary>
+        public Body Handle { get; internal set; }
 
-        /// <summary>The place of <see cref="Handle"/> in <see cref="Simulation.Bodies"/>; −1 where there is none.</summary>
+        /// <summary>
+        /// The place of <see cref="Handle"/> in <see cref="Simulation.Bodies"/> where it is one of many that are stored together; else −1.
+        /// </summary>
         public int Number { get; }
 
         /// <summary>The rule by which it moves.</summary>
