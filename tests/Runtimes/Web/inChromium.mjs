@@ -1,4 +1,5 @@
-// Serves a published folder on loopback, opens it in Chromium without a window, and prints the first line of its console.
+// Serves a published folder on loopback, opens it in Chromium without a window, and prints the first line of its console that is
+// not Chromium's own remark on a machine without a network.
 //   node inChromium.mjs FOLDER
 import { spawn } from 'node:child_process';
 import { mkdtempSync, readFileSync, rmSync } from 'node:fs';
@@ -37,7 +38,7 @@ server.listen(0, '127.0.0.1', () => {
   }, 120000);
   chromium.stderr.on('data', (data) => {
     log += data;
-    const line = /CONSOLE[^"]*"([^"]*)"/.exec(log);
+    const line = [...log.matchAll(/CONSOLE[^"]*"([^"]*)"/g)].find(([, text]) => !text.startsWith('Slow network is detected'));
     if (line && late.hasRef()) {
       clearTimeout(late);
       late.unref();
