@@ -125,8 +125,9 @@ namespace RigidBodyDynamics
 
         public override void Push(Body body, in Wrench impulse)
         {
-            BodyState state = StateOf(body);
-            _crowd.Push(body.Place, Plan.Bearing == null ? impulse : Plan.Bearing.Left(impulse, state.Orientation));
+            // it comes to now, if it has not run away
+            StateOf(body);
+            _crowd.Push(this, body.Place, impulse);
             Keep(body.Place);
         }
 
@@ -144,11 +145,7 @@ namespace RigidBodyDynamics
             if (!_loads.TryGetValue(body, out Load sum))
                 sum = new Load { Step = _step };
 
-            sum.Add(load);
-            if (!sum.IsFinite)
-                throw new OverflowException("body \"" + Plan.Body.Name + "\": the sum of what is applied in this step must be finite");
-
-            _loads[body] = sum;
+            _loads[body] = sum.With(load, Plan.Body);
         }
 
         public override LoneMover Alone(Body body)

@@ -51,7 +51,7 @@ namespace RigidBodyDynamics
         public abstract Exception Blame(BodyPlan plan, int stretch, int place, Body handle, long step, Mover loaded = null);
 
         /// <summary>An impulse on a body.</summary>
-        public abstract void Push(int place, in Wrench impulse);
+        public abstract void Push(Mover mover, int place, in Wrench impulse);
 
         /// <summary>Puts aside a body after a step under a load besides; the one in its place stays. False where it comes to no state.</summary>
         public abstract bool StepAside(BodyPlan plan, int stretch, int place, long step, Mover loaded);

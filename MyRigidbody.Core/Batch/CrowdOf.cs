@@ -18,13 +18,10 @@ namespace RigidBodyDynamics
             return body.HasClosedForm;
         }
 
-        public override void Push(int place, in Wrench impulse)
+        public override void Push(Mover mover, int place, in Wrench impulse)
         {
             TBody body = Out(place);
-            body.Push(impulse);
-            if (!body.IsFinite)
-                throw Guard.Refused("impulse", impulse.Force.IsFinite && impulse.Force.LengthSquared > 0 ? impulse.Force : impulse.Torque, "must leave a finite velocity");
-
+            mover.Push(ref body, impulse);
             In(place, body);
         }
 

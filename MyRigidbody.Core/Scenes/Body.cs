@@ -43,6 +43,7 @@ namespace RigidBodyDynamics
                 Mover mover = Changing();
                 Plan.Asked.Check(value);
                 Omissions needs = BodyPlan.Needs(value);
+                // first of all: a body that has run away has no state from which to go on
                 mover.Set(this, value);
                 if ((needs & mover.Plan.LeftOut) != 0)
                 {

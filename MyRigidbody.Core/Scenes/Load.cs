@@ -1,3 +1,5 @@
+using System;
+
 namespace RigidBodyDynamics
 {
     /// <summary>What a program pushes one body with during one step.</summary>
@@ -21,31 +23,29 @@ namespace RigidBodyDynamics
         /// <param name="inBody">True for body axes, false for those of the world.</param>
         public static Load Of(Vector3d push, Vector3d arm, bool inBody)
         {
-            Load load = default(Load);
             Vector3d torque = Vector3d.Cross(arm, push);
-            if (!inBody)
-                load.Wrench = new Wrench { Force = push, Torque = torque };
-            else
-                load = new Load { BodyForce = push, Wrench = new Wrench { BodyTorque = torque } };
-
-            return load;
+            return inBody
+                ? new Load { BodyForce = push, Wrench = new Wrench { BodyTorque = torque } }
+                : new Load { Wrench = new Wrench { Force = push, Torque = torque } };
         }
 
-        /// <summary>Adds another.</summary>
-        public void Add(in Load more)
+        /// <summary>The sum with another, on a body.</summary>
+        public Load With(in Load more, BodyDescription body)
         {
-            Wrench.Force += more.Wrench.Force;
-            Wrench.Torque += more.Wrench.Torque;
-            Wrench.BodyTorque += more.Wrench.BodyTorque;
-            BodyForce += more.BodyForce;
+            Load sum = this;
+            sum.Wrench.Force += more.Wrench.Force;
+            sum.Wrench.Torque += more.Wrench.Torque;
+            sum.Wrench.BodyTorque += more.Wrench.BodyTorque;
+            sum.BodyForce += more.BodyForce;
+            return sum.Wrench.IsFinite && sum.BodyForce.IsFinite
+                ? sum
+                : throw new OverflowException("body \"" + body.Name + "\": the sum of what is applied in this step must be finite");
         }
 
         /// <summary>What it needs of a body.</summary>
         public Omissions Needs =>
             (Wrench.Force.IsZero && BodyForce.IsZero ? Omissions.None : Omissions.Translation)
             | (Wrench.Torque.IsZero && Wrench.BodyTorque.IsZero ? Omissions.None : Omissions.Rotation);
-
-        public bool IsFinite => Wrench.IsFinite && BodyForce.IsFinite;
 
         /// <summary>The same with the force in world axes.</summary>
         public Wrench At(Quaterniond orientation)

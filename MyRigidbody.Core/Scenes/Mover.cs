@@ -27,6 +27,17 @@ namespace RigidBodyDynamics
         /// <summary>An impulse now; the pose stays.</summary>
         public abstract void Push(Body body, in Wrench impulse);
 
+        /// <summary>The same of a body as its rule keeps it; one that would lose its velocity in it stays as it was.</summary>
+        public void Push<TIntegrator>(ref TIntegrator body, in Wrench impulse) where TIntegrator : struct, IIntegrator
+        {
+            TIntegrator pushed = body;
+            pushed.Push(Plan.Bearing == null ? impulse : Plan.Bearing.Left(impulse, body.State.Orientation));
+            if (!pushed.IsFinite)
+                throw Guard.Refused("impulse", impulse.Force.IsFinite && impulse.Force.LengthSquared > 0 ? impulse.Force : impulse.Torque, "must leave a finite velocity");
+
+            body = pushed;
+        }
+
         /// <summary>Another state now.</summary>
         public abstract void Set(Body body, in BodyState state);
 

@@ -91,12 +91,7 @@ namespace RigidBodyDynamics
         public override void Push(Body body, in Wrench impulse)
         {
             Arrive(mayCoast: true);
-            TIntegrator motion = _now.Motion;
-            motion.Push(Plan.Bearing == null ? impulse : Plan.Bearing.Left(impulse, motion.State.Orientation));
-            if (!motion.IsFinite)
-                throw Guard.Refused("impulse", impulse.Force.IsFinite && impulse.Force.LengthSquared > 0 ? impulse.Force : impulse.Torque, "must leave a finite velocity");
-
-            _now.Motion = motion;
+            Push(ref _now.Motion, impulse);
             Changed(mayCoast: true);
         }
 
@@ -113,12 +108,7 @@ namespace RigidBodyDynamics
         public override void Add(Body body, in Load load)
         {
             Arrive(mayCoast: true);
-            Load sum = IsLoaded ? Load : new Load { Step = _now.Step };
-            sum.Add(load);
-            if (!sum.IsFinite)
-                throw new OverflowException("body \"" + Plan.Body.Name + "\": the sum of what is applied in this step must be finite");
-
-            Load = sum;
+            Load = (IsLoaded ? Load : new Load { Step = _now.Step }).With(load, Plan.Body);
             _now.IsDormant = false;
             _before = _now;
             _loaded = _loaded ?? StretchBuilder<TIntegrator>.Bind(Plan, isWatched: false, loaded: this);
