@@ -50,7 +50,7 @@ namespace RigidBodyDynamics
             for (int i = 0; i < _coasts.Length; i++)
             {
                 StretchPlan stretch = plan.Stretches[i];
-                bool isPushed = (stretch.Does & (PushTraits.Moves | PushTraits.Turns)) != 0;
+                bool isPushed = (stretch.Does & (EffectTraits.Moves | EffectTraits.Turns)) != 0;
                 _coasts[i] = plan.MayCoast && !isPushed && _crowd.HasClosedForm(0, stretch.Coasting);
                 foreach (PushEffect effect in stretch.Pushes)
                     _isSteered |= effect.Push is IInput;

@@ -63,7 +63,7 @@ namespace RigidBodyDynamics
 
         public void Step<TPush>(in Instant now, ref TPush push) where TPush : struct, IPush
         {
-            PushTraits does = push.Traits & (PushTraits.Moves | PushTraits.Turns);
+            EffectTraits does = push.Traits & (EffectTraits.Moves | EffectTraits.Turns);
             if (does == 0)
             {
                 Coast();
@@ -81,7 +81,7 @@ namespace RigidBodyDynamics
                 BodyState unread = default(BodyState);
                 Wrench given = default(Wrench);
                 push.Over(at, kick, unread, _mass, ref given);
-                impulses[i] = new Impulse(_canMove ? does : does & ~PushTraits.Moves, given, _mass.InverseMass, _top.FromWorld(given.Torque), _top.FromBody(given.BodyTorque));
+                impulses[i] = new Impulse(_canMove ? does : does & ~EffectTraits.Moves, given, _mass.InverseMass, _top.FromWorld(given.Torque), _top.FromBody(given.BodyTorque));
                 if (i < drifts.Length)
                     stages[i] = new Stage(length, length == _dt ? _whole : new Drift(_coasting, length));
 
@@ -149,10 +149,10 @@ namespace RigidBodyDynamics
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
         private void Kick(in Group bodies, in Impulse impulse)
         {
-            if ((impulse.Does & PushTraits.Moves) != 0)
+            if ((impulse.Does & EffectTraits.Moves) != 0)
                 Add(bodies, V, VLost, new VectorLanes(impulse.Velocity));
 
-            if ((impulse.Does & PushTraits.Turns) != 0)
+            if ((impulse.Does & EffectTraits.Turns) != 0)
                 _top.Kick(bodies, impulse);
         }
 
@@ -222,7 +222,7 @@ namespace RigidBodyDynamics
     /// <summary>What pushes give to every body alike.</summary>
     internal readonly struct Impulse
     {
-        public readonly PushTraits Does;
+        public readonly EffectTraits Does;
 
         /// <summary>The change of the velocity, m/s.</summary>
         public readonly Vector3d Velocity;
@@ -232,11 +232,11 @@ namespace RigidBodyDynamics
 
         public readonly bool HasWorld, HasBody;
 
-        public Impulse(PushTraits does, in Wrench given, double inverseMass, Vector3d inWorld, Vector3d inOwnAxes)
+        public Impulse(EffectTraits does, in Wrench given, double inverseMass, Vector3d inWorld, Vector3d inOwnAxes)
         {
             HasWorld = !given.Torque.IsZero;
             HasBody = !given.BodyTorque.IsZero;
-            Does = does & ~((given.Force.IsZero ? PushTraits.Moves : 0) | (HasWorld || HasBody ? 0 : PushTraits.Turns));
+            Does = does & ~((given.Force.IsZero ? EffectTraits.Moves : 0) | (HasWorld || HasBody ? 0 : EffectTraits.Turns));
             Velocity = inverseMass * given.Force;
             World = inWorld;
             Body = HasBody ? inOwnAxes : given.BodyTorque;

@@ -4,8 +4,8 @@ namespace RigidBodyDynamics
     /// <summary>Chooses how bodies are stored: in lanes where their rule has such a form and no push reads their states.</summary>
     internal static class Crowds
     {
-        internal const PushTraits ReadsState =
-            PushTraits.ReadsPosition | PushTraits.ReadsOrientation | PushTraits.ReadsVelocity | PushTraits.ReadsAngularVelocity;
+        internal const EffectTraits ReadsState =
+            EffectTraits.ReadsPosition | EffectTraits.ReadsOrientation | EffectTraits.ReadsVelocity | EffectTraits.ReadsAngularVelocity;
 
         public static Crowd Choose(BodyPlan plan)
         {

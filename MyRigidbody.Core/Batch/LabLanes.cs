@@ -77,7 +77,7 @@ namespace RigidBodyDynamics
             Wrench load = default(Wrench);
             BodyState unread = default(BodyState);
             push.At(now, unread, _mass, ref load);
-            Run(load, _canTurn && (push.Traits & PushTraits.Turns) != 0);
+            Run(load, _canTurn && (push.Traits & EffectTraits.Turns) != 0);
         }
 
         [MethodImpl(Kernel.Compiled)]

@@ -74,13 +74,13 @@ namespace RigidBodyDynamics
                 if (!Answers())
                     return _found;
 
-                Declares(PushTraits.Moves, _force, "force", "N");
-                Declares(PushTraits.Turns, _torque, "torque", "N m");
-                Reads(PushTraits.ReadsTime, "time", (body, next) => body);
-                Reads(PushTraits.ReadsPosition, "position", (body, next) => { body.Position = next.Position; return body; });
-                Reads(PushTraits.ReadsOrientation, "orientation", (body, next) => { body.Orientation = next.Orientation; return body; });
-                Reads(PushTraits.ReadsVelocity, "velocity", (body, next) => { body.Velocity = next.Velocity; return body; });
-                Reads(PushTraits.ReadsAngularVelocity, "angular velocity", (body, next) => { body.AngularVelocity = next.AngularVelocity; return body; });
+                Declares(EffectTraits.Moves, _force, "force", "N");
+                Declares(EffectTraits.Turns, _torque, "torque", "N m");
+                Reads(EffectTraits.ReadsTime, "time", (body, next) => body);
+                Reads(EffectTraits.ReadsPosition, "position", (body, next) => { body.Position = next.Position; return body; });
+                Reads(EffectTraits.ReadsOrientation, "orientation", (body, next) => { body.Orientation = next.Orientation; return body; });
+                Reads(EffectTraits.ReadsVelocity, "velocity", (body, next) => { body.Velocity = next.Velocity; return body; });
+                Reads(EffectTraits.ReadsAngularVelocity, "angular velocity", (body, next) => { body.AngularVelocity = next.AngularVelocity; return body; });
                 Adds();
                 int forwards = Integrates(1, false, string.Empty, "Exact is", -1);
                 Integrates(-1, false, " a negative time", "the way back is", forwards);
@@ -108,20 +108,20 @@ namespace RigidBodyDynamics
                 return true;
             }
 
-            private void Declares(PushTraits trait, double most, string what, string unit)
+            private void Declares(EffectTraits trait, double most, string what, string unit)
             {
                 if (most > 0 && !Has(trait))
-                    Found("{0} is not declared, and there is a {1} of up to {2:g3} {3}: add PushTraits.{0} to Traits, or it may be left out.", trait, what, most, unit);
+                    Found("{0} is not declared, and there is a {1} of up to {2:g3} {3}: add EffectTraits.{0} to Traits, or it may be left out.", trait, what, most, unit);
                 else if (most == 0 && Has(trait))
-                    Found(Hint + "{0} is declared, and in {1} trials there was no {2}: take PushTraits.{0} out of Traits, so that nobody computes it.", trait, Trials, what);
+                    Found(Hint + "{0} is declared, and in {1} trials there was no {2}: take EffectTraits.{0} out of Traits, so that nobody computes it.", trait, Trials, what);
             }
 
             /// <summary>Lets one thing alone be as in the next trial, and looks whether the push changes.</summary>
-            private void Reads(PushTraits trait, string what, Func<BodyState, BodyState, BodyState> change)
+            private void Reads(EffectTraits trait, string what, Func<BodyState, BodyState, BodyState> change)
             {
                 double most = Most(i =>
                 {
-                    Instant now = _instants[trait == PushTraits.ReadsTime ? (i + 1) % Trials : i];
+                    Instant now = _instants[trait == EffectTraits.ReadsTime ? (i + 1) % Trials : i];
                     BodyState body = change(_states[i], _states[(i + 1) % Trials]);
                     return Math.Max(Apart(At(i), At(now, body)), Apart(Over(i), Over(now, 1, body)));
                 });
@@ -172,7 +172,7 @@ namespace RigidBodyDynamics
                     Wrench there = Over(now, Longest, _states[i]);
                     return Apart(Over(now, -Longest, there.AppliedTo(_states[i], _mass)), Plus(default(Wrench), -1, there)) / Longest;
                 });
-                if (order < 9 && off > Error && Has(PushTraits.ReadsVelocity | PushTraits.ReadsAngularVelocity))
+                if (order < 9 && off > Error && Has(EffectTraits.ReadsVelocity | EffectTraits.ReadsAngularVelocity))
                     Found(Hint + "Over by −h does not take back what Over by h gave: it is off by {0:g3} % of the largest push in {1} s, and Exact4 and Exact6 are of order {2} at most; let it be an exact flow or, like the midpoint rule, one that comes back.", 100 * off, Longest, order);
             }
 
@@ -196,14 +196,14 @@ namespace RigidBodyDynamics
 
             private void HasPotential()
             {
-                const PushTraits ReadsMotion = PushTraits.ReadsTime | PushTraits.ReadsVelocity | PushTraits.ReadsAngularVelocity;
+                const EffectTraits ReadsMotion = EffectTraits.ReadsTime | EffectTraits.ReadsVelocity | EffectTraits.ReadsAngularVelocity;
                 double share = Most(i => WorkAround(i));
-                if (Has(PushTraits.HasPotential) && Has(ReadsMotion))
+                if (Has(EffectTraits.HasPotential) && Has(ReadsMotion))
                     Found("HasPotential is declared, and {0} too: a potential knows position and orientation alone; take one of the two out of Traits.", _push.Traits & ReadsMotion);
-                else if (Has(PushTraits.HasPotential) && share > 0)
-                    Found("HasPotential is declared, and around a closed way the work is {0:g3} % of what is done to and fro: take PushTraits.HasPotential out of Traits, or let force and torque be the slope of one energy.", 100 * share);
-                else if (!Has(PushTraits.HasPotential) && share == 0 && !Has(ReadsMotion) && Has(PushTraits.ReadsPosition | PushTraits.ReadsOrientation))
-                    Found(Hint + "HasPotential is not declared, and around {0} closed ways there was no work: add PushTraits.HasPotential to Traits, which says that it keeps the energy.", Trials);
+                else if (Has(EffectTraits.HasPotential) && share > 0)
+                    Found("HasPotential is declared, and around a closed way the work is {0:g3} % of what is done to and fro: take EffectTraits.HasPotential out of Traits, or let force and torque be the slope of one energy.", 100 * share);
+                else if (!Has(EffectTraits.HasPotential) && share == 0 && !Has(ReadsMotion) && Has(EffectTraits.ReadsPosition | EffectTraits.ReadsOrientation))
+                    Found(Hint + "HasPotential is not declared, and around {0} closed ways there was no work: add EffectTraits.HasPotential to Traits, which says that it keeps the energy.", Trials);
             }
 
             /// <summary>
@@ -233,7 +233,7 @@ namespace RigidBodyDynamics
                 return Math.Abs(work) > Error * amounts + 4 * Math.Abs(work - halfAsFine) ? Math.Abs(work) / amounts : 0;
             }
 
-            private bool Has(PushTraits any) => (_push.Traits & any) != 0;
+            private bool Has(EffectTraits any) => (_push.Traits & any) != 0;
 
             private Wrench At(int i) => At(_instants[i], _states[i]);
 

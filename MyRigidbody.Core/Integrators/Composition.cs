@@ -9,7 +9,7 @@ namespace RigidBodyDynamics
         where TTop : struct, IFreeTop
         where TScheme : struct, IScheme
     {
-        private const PushTraits ReadsMotion = PushTraits.ReadsVelocity | PushTraits.ReadsAngularVelocity;
+        private const EffectTraits ReadsMotion = EffectTraits.ReadsVelocity | EffectTraits.ReadsAngularVelocity;
 
         private TTop _top;
         private Vector3d _x, _xLost, _v, _vLost;
@@ -71,7 +71,7 @@ namespace RigidBodyDynamics
 
         public void Step<TPush>(in Instant now, ref TPush push) where TPush : struct, IPush
         {
-            if ((push.Traits & (PushTraits.Moves | PushTraits.Turns)) == 0)
+            if ((push.Traits & (EffectTraits.Moves | EffectTraits.Turns)) == 0)
                 Free<TPush>();
             else
                 Compose(now, ref push);
@@ -172,8 +172,8 @@ namespace RigidBodyDynamics
         private void Give<TPush>(in Instant now, double duration, ref TPush push) where TPush : struct, IPush
         {
             // what other pushes make of ω (Wrench.AppliedTo) depends on the orientation
-            const PushTraits ReadsPose = PushTraits.ReadsPosition | PushTraits.ReadsOrientation | PushTraits.ReadsAngularVelocity;
-            PushTraits traits = push.Traits;
+            const EffectTraits ReadsPose = EffectTraits.ReadsPosition | EffectTraits.ReadsOrientation | EffectTraits.ReadsAngularVelocity;
+            EffectTraits traits = push.Traits;
             BodyState body = default(BodyState);
             body.Velocity = _v;
             if ((traits & ReadsPose) != 0)
@@ -182,16 +182,16 @@ namespace RigidBodyDynamics
                 body.Position = Origin(body.Orientation);
             }
 
-            if ((traits & PushTraits.ReadsAngularVelocity) != 0)
+            if ((traits & EffectTraits.ReadsAngularVelocity) != 0)
                 body.AngularVelocity = _top.AngularVelocity;
 
             Wrench impulse = default(Wrench);
             push.Over(now, duration, body, _mass, ref impulse);
             // an idle push leaves what is prepared for the way ahead as it is
-            if (_canMove && (traits & PushTraits.Moves) != 0 && !impulse.Force.IsZero)
+            if (_canMove && (traits & EffectTraits.Moves) != 0 && !impulse.Force.IsZero)
                 RunningSum.Add(ref _v, ref _vLost, _mass.InverseMass * impulse.Force);
 
-            if ((traits & PushTraits.Turns) != 0 && !(impulse.Torque.IsZero && impulse.BodyTorque.IsZero))
+            if ((traits & EffectTraits.Turns) != 0 && !(impulse.Torque.IsZero && impulse.BodyTorque.IsZero))
                 _top.Kick(impulse.Torque, impulse.BodyTorque);
         }
 

@@ -111,7 +111,7 @@ namespace RigidBodyDynamics
             if (_canTurn)
             {
                 Vector3d w = _axes.FromBody(q.RotateInverse(_body.AngularVelocity));
-                if ((push.Traits & PushTraits.Turns) != 0)
+                if ((push.Traits & EffectTraits.Turns) != 0)
                     w += _dt * Vector3d.Scale(_mass.InversePrincipalMoments, _axes.FromBody(q.RotateInverse(load.TorqueInWorld(q))));
 
                 w = default(TRule).After(w, _ratios, _dt);

@@ -68,7 +68,7 @@ namespace RigidBodyDynamics
                 v = v + dt * (load.Force / _mass.Mass + _gravity);
 
             // 2. angular velocity: ω = ω + Δt I⁻¹ τ with I = R I_ref Rᵀ
-            if (_canTurn && (push.Traits & PushTraits.Turns) != 0)
+            if (_canTurn && (push.Traits & EffectTraits.Turns) != 0)
             {
                 Matrix3 R = Matrix3.Of(_lab.UnitRotation ? q.Normalized : q);
                 SymmetricMatrix3 I = _mass.Inertia.RotatedBy(R);

@@ -97,8 +97,8 @@ namespace RigidBodyDynamics
             out Vector3d acceleration, out Quaterniond turning, out Vector3d torque)
             where TPush : struct, IPush
         {
-            const PushTraits Reads =
-                PushTraits.ReadsPosition | PushTraits.ReadsOrientation | PushTraits.ReadsAngularVelocity | PushTraits.ReadsVelocity;
+            const EffectTraits Reads =
+                EffectTraits.ReadsPosition | EffectTraits.ReadsOrientation | EffectTraits.ReadsAngularVelocity | EffectTraits.ReadsVelocity;
             // between the stages q is longer than 1; the turn it stands for is v ↦ q* v q / |q|²
             double twice = 2 / q.LengthSquared;
             Vector3d u = q.Vector, t = twice * Vector3d.Cross(u, l);
@@ -107,7 +107,7 @@ namespace RigidBodyDynamics
             turning = new Quaterniond(-Vector3d.Dot(u, w), q.W * w + Vector3d.Cross(u, w));
             torque = -_coasting.AngularDampingRate * l;
             acceleration = _canMove ? _coasting.Acceleration - _coasting.LinearDampingRate * v : Vector3d.Zero;
-            if ((push.Traits & (PushTraits.Moves | PushTraits.Turns)) == 0)
+            if ((push.Traits & (EffectTraits.Moves | EffectTraits.Turns)) == 0)
                 return;
 
             Wrench load = default(Wrench);

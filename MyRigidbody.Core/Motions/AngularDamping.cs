@@ -8,7 +8,7 @@ namespace RigidBodyDynamics
         /// <summary>Damping at the given rate c, 1/s.</summary>
         public AngularDamping(double rate) => _rate = Guard.NotNegative(rate, "angularDamping");
 
-        public PushTraits Traits => PushTraits.Turns | PushTraits.ReadsAngularVelocity | PushTraits.IsDamping;
+        public EffectTraits Traits => EffectTraits.Turns | EffectTraits.ReadsAngularVelocity | EffectTraits.IsDamping;
 
         public void AddTo(ref Coasting coasting, MassProperties mass) => coasting.AngularDampingRate += _rate;
 

@@ -62,7 +62,7 @@ namespace RigidBodyDynamics
                 _by = by;
             }
 
-            public PushTraits Traits => _push.Traits | (_by.ReadsOrientation ? PushTraits.ReadsOrientation : PushTraits.None);
+            public EffectTraits Traits => _push.Traits | (_by.ReadsOrientation ? EffectTraits.ReadsOrientation : EffectTraits.None);
 
             public void At(in Instant now, in BodyState body, MassProperties mass, ref Wrench wrench)
             {

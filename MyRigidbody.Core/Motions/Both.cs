@@ -17,7 +17,7 @@ namespace RigidBodyDynamics
             _second = second;
         }
 
-        public PushTraits Traits => _first.Traits.And(_second.Traits);
+        public EffectTraits Traits => _first.Traits.And(_second.Traits);
 
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
         public void At(in Instant now, in BodyState body, MassProperties mass, ref Wrench wrench)

@@ -18,8 +18,8 @@ namespace RigidBodyDynamics
             _angular = Factor(angular, "angular");
         }
 
-        public PushTraits Traits =>
-            PushTraits.Moves | PushTraits.Turns | PushTraits.ReadsVelocity | PushTraits.ReadsAngularVelocity | PushTraits.IsDamping | PushTraits.OncePerStep;
+        public EffectTraits Traits =>
+            EffectTraits.Moves | EffectTraits.Turns | EffectTraits.ReadsVelocity | EffectTraits.ReadsAngularVelocity | EffectTraits.IsDamping | EffectTraits.OncePerStep;
 
         public void AddTo(ref Coasting coasting, MassProperties mass)
         {

@@ -13,7 +13,7 @@ namespace RigidBodyDynamics
         /// <summary>The force, N, world axes.</summary>
         public Force(Vector3d force) => _force = Guard.Finite(force, "force");
 
-        public PushTraits Traits => PushTraits.Moves | PushTraits.HasPotential;
+        public EffectTraits Traits => EffectTraits.Moves | EffectTraits.HasPotential;
 
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
         public void At(in Instant now, in BodyState body, MassProperties mass, ref Wrench wrench) => wrench.Force += _force;

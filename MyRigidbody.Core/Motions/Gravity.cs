@@ -8,7 +8,7 @@ namespace RigidBodyDynamics
         /// <summary>Gravity of the given acceleration, m/s², world axes.</summary>
         public Gravity(Vector3d acceleration) => _acceleration = Guard.Finite(acceleration, "gravity");
 
-        public PushTraits Traits => PushTraits.Moves | PushTraits.HasPotential | PushTraits.IsGravity;
+        public EffectTraits Traits => EffectTraits.Moves | EffectTraits.HasPotential | EffectTraits.IsGravity;
 
         public void AddTo(ref Coasting coasting, MassProperties mass) => coasting.Acceleration += _acceleration;
 

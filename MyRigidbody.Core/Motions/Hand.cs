@@ -21,7 +21,7 @@ namespace RigidBodyDynamics
         /// <summary>The effect of a hand.</summary>
         public HeldBy(Hand hand) => _hand = Guard.NotNull(hand, nameof(hand));
 
-        public PushTraits Traits => PushTraits.Moves | PushTraits.Turns | PushTraits.ReadsTime;
+        public EffectTraits Traits => EffectTraits.Moves | EffectTraits.Turns | EffectTraits.ReadsTime;
 
         public void At(in Instant now, in BodyState body, MassProperties mass, ref Wrench wrench) =>
             Over(now, 1, body, mass, ref wrench);

@@ -22,7 +22,7 @@ namespace RigidBodyDynamics
             _moment = Guard.Finite(moment, nameof(moment));
         }
 
-        public PushTraits Traits => PushTraits.Turns | PushTraits.ReadsOrientation | PushTraits.HasPotential | PushTraits.IsGravity;
+        public EffectTraits Traits => EffectTraits.Turns | EffectTraits.ReadsOrientation | EffectTraits.HasPotential | EffectTraits.IsGravity;
 
         public void At(in Instant now, in BodyState body, MassProperties mass, ref Wrench wrench) =>
             Over(now, 1, body, mass, ref wrench);

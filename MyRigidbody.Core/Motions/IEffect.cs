@@ -4,6 +4,6 @@ namespace RigidBodyDynamics
     public interface IEffect
     {
         /// <summary>What it is, what it does to a body and what it needs to know: what is not said here may be left out.</summary>
-        PushTraits Traits { get; }
+        EffectTraits Traits { get; }
     }
 }

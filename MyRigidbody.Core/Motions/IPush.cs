@@ -28,7 +28,7 @@ namespace RigidBodyDynamics
 
     /// <summary>What an effect is, what it does and what it reads.</summary>
     [Flags]
-    public enum PushTraits
+    public enum EffectTraits
     {
         /// <summary>Nothing.</summary>
         None = 0,
@@ -76,6 +76,6 @@ namespace RigidBodyDynamics
     internal static class TraitsOfSums
     {
         /// <summary>A sum does and reads what any of its parts does and reads; it has a potential if every part has one.</summary>
-        public static PushTraits And(this PushTraits a, PushTraits b) => (a & b) | ((a | b) & ~PushTraits.HasPotential);
+        public static EffectTraits And(this EffectTraits a, EffectTraits b) => (a & b) | ((a | b) & ~EffectTraits.HasPotential);
     }
 }

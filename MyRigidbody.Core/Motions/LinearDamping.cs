@@ -8,7 +8,7 @@ namespace RigidBodyDynamics
         /// <summary>Damping at the given rate c, 1/s.</summary>
         public LinearDamping(double rate) => _rate = Guard.NotNegative(rate, "linearDamping");
 
-        public PushTraits Traits => PushTraits.Moves | PushTraits.ReadsVelocity | PushTraits.IsDamping;
+        public EffectTraits Traits => EffectTraits.Moves | EffectTraits.ReadsVelocity | EffectTraits.IsDamping;
 
         public void AddTo(ref Coasting coasting, MassProperties mass) => coasting.LinearDampingRate += _rate;
 

@@ -12,14 +12,14 @@ namespace RigidBodyDynamics
         public Many(IPush[] pushes)
         {
             _pushes = Guard.NotNull(pushes, nameof(pushes));
-            PushTraits traits = default(Nothing).Traits;
+            EffectTraits traits = default(Nothing).Traits;
             for (int i = 0; i < pushes.Length; i++)
                 traits = traits.And((pushes[i] ?? throw new System.ArgumentNullException(nameof(pushes) + "[" + i + "]")).Traits);
 
             Traits = traits;
         }
 
-        public PushTraits Traits { get; }
+        public EffectTraits Traits { get; }
 
         // default(Many) has none
         private int Count => _pushes == null ? 0 : _pushes.Length;

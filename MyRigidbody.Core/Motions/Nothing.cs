@@ -5,7 +5,7 @@ namespace RigidBodyDynamics
     /// <summary>The empty sum: nothing pushes, nothing is computed.</summary>
     public struct Nothing : IPush
     {
-        public PushTraits Traits => PushTraits.HasPotential;
+        public EffectTraits Traits => EffectTraits.HasPotential;
 
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
         public void At(in Instant now, in BodyState body, MassProperties mass, ref Wrench wrench) { }

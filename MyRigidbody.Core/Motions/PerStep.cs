@@ -15,9 +15,9 @@ namespace RigidBodyDynamics
             _torque = Copy(torque, nameof(torque));
         }
 
-        public PushTraits Traits =>
-            (Count(_force) > 0 ? PushTraits.Moves | PushTraits.ReadsTime : PushTraits.None)
-            | (Count(_torque) > 0 ? PushTraits.Turns | PushTraits.ReadsTime : PushTraits.None);
+        public EffectTraits Traits =>
+            (Count(_force) > 0 ? EffectTraits.Moves | EffectTraits.ReadsTime : EffectTraits.None)
+            | (Count(_torque) > 0 ? EffectTraits.Turns | EffectTraits.ReadsTime : EffectTraits.None);
 
         public void At(in Instant now, in BodyState body, MassProperties mass, ref Wrench wrench) =>
             Over(now, 1, body, mass, ref wrench);

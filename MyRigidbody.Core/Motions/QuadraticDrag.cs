@@ -10,7 +10,7 @@ namespace RigidBodyDynamics
         /// <summary>Drag with the given k, kg/m.</summary>
         public QuadraticDrag(double k) => _k = Guard.NotNegative(k, "quadraticDrag");
 
-        public PushTraits Traits => PushTraits.Moves | PushTraits.ReadsVelocity | PushTraits.IsDrag;
+        public EffectTraits Traits => EffectTraits.Moves | EffectTraits.ReadsVelocity | EffectTraits.IsDrag;
 
         public void At(in Instant now, in BodyState body, MassProperties mass, ref Wrench wrench) =>
             wrench.Force -= _k * body.Velocity.Length * body.Velocity;

@@ -21,8 +21,8 @@ namespace RigidBodyDynamics
             _stiffness = Guard.NotNegative(stiffness, nameof(stiffness));
         }
 
-        public PushTraits Traits =>
-            PushTraits.Moves | PushTraits.Turns | PushTraits.ReadsPosition | PushTraits.ReadsOrientation | PushTraits.HasPotential;
+        public EffectTraits Traits =>
+            EffectTraits.Moves | EffectTraits.Turns | EffectTraits.ReadsPosition | EffectTraits.ReadsOrientation | EffectTraits.HasPotential;
 
         public void At(in Instant now, in BodyState body, MassProperties mass, ref Wrench wrench) =>
             Over(now, 1, body, mass, ref wrench);

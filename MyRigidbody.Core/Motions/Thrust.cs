@@ -15,7 +15,7 @@ namespace RigidBodyDynamics
             _point = Guard.Finite(point, nameof(point));
         }
 
-        public PushTraits Traits => PushTraits.Moves | PushTraits.Turns | PushTraits.ReadsOrientation;
+        public EffectTraits Traits => EffectTraits.Moves | EffectTraits.Turns | EffectTraits.ReadsOrientation;
 
         public void At(in Instant now, in BodyState body, MassProperties mass, ref Wrench wrench) =>
             Over(now, 1, body, mass, ref wrench);

@@ -32,7 +32,7 @@ namespace RigidBodyDynamics
         /// <summary>A constant torque along world axes, N m.</summary>
         public static Torque Constant(Vector3d torque) => new Torque(torque, Vector3d.Zero, Vector3d.Zero, 0, false);
 
-        public PushTraits Traits => _swings ? PushTraits.Turns | PushTraits.ReadsTime : PushTraits.Turns;
+        public EffectTraits Traits => _swings ? EffectTraits.Turns | EffectTraits.ReadsTime : EffectTraits.Turns;
 
         // a sine is long, and the step around it is compiled well only while it is short
         [MethodImpl(MethodImplOptions.NoInlining)]

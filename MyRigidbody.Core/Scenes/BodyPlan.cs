@@ -84,8 +84,8 @@ namespace RigidBodyDynamics
             // no enumerator: it is asked for every body that comes, and must not allocate
             for (int i = Stretches.Count - 1; i >= 0 && Stretches[i].End > step; i--)
             {
-                moves |= (Stretches[i].Does & PushTraits.Moves) != 0 || !Stretches[i].Coasting.Acceleration.IsZero;
-                turns |= (Stretches[i].Does & PushTraits.Turns) != 0;
+                moves |= (Stretches[i].Does & EffectTraits.Moves) != 0 || !Stretches[i].Coasting.Acceleration.IsZero;
+                turns |= (Stretches[i].Does & EffectTraits.Turns) != 0;
             }
 
             return MayLeaveOut & ((turns ? 0 : Omissions.Rotation) | (moves ? 0 : Omissions.Translation));

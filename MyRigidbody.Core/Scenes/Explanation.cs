@@ -39,7 +39,7 @@ namespace RigidBodyDynamics
                 parts.Add((body.Lock & Locks.Move) == 0 ? "drift" : "drift along " + (~body.Lock).MoveNames());
 
             foreach (ICoast coast in Guard.NotNull(stretch, nameof(stretch)).Coasts)
-                parts.Add(coast + (isExact && (coast.Traits & PushTraits.OncePerStep) == 0 ? " (closed form)" : string.Empty));
+                parts.Add(coast + (isExact && (coast.Traits & EffectTraits.OncePerStep) == 0 ? " (closed form)" : string.Empty));
 
             if (body.CanTurn)
                 parts.Add((body.Lock & Locks.Turn) == 0 ? _plan.Rule.Rotation(body) : "rotation about " + (~body.Lock).TurnNames() + (isExact ? " (exact)" : string.Empty));
@@ -124,24 +124,24 @@ namespace RigidBodyDynamics
             else if ((asked.Lock & Locks.Move) != 0)
                 Add("motion along " + asked.Lock.MoveNames(), "locked", null, Steps);
 
-            PushTraits acting = PushTraits.None, pushing = PushTraits.None;
+            EffectTraits acting = EffectTraits.None, pushing = EffectTraits.None;
             foreach (Effect effect in asked.Effects)
             {
                 acting |= effect.Motion.Traits;
-                pushing |= effect.Motion is IPush ? effect.Motion.Traits : PushTraits.None;
+                pushing |= effect.Motion is IPush ? effect.Motion.Traits : EffectTraits.None;
             }
 
             const string None = "none in the scene";
-            if ((acting & PushTraits.IsGravity) == 0 && asked.CanMove)
+            if ((acting & EffectTraits.IsGravity) == 0 && asked.CanMove)
                 Add("gravity", None, Copy(asked).With(new Gravity(new Vector3d(0, -9.81, 0))), Steps);
 
-            if ((acting & PushTraits.IsDamping) == 0)
+            if ((acting & EffectTraits.IsDamping) == 0)
                 Add("damping", None, Copy(asked).With(new LinearDamping(0.1)).With(new AngularDamping(0.1)), Steps);
 
-            if ((acting & PushTraits.IsDrag) == 0 && asked.CanMove)
+            if ((acting & EffectTraits.IsDrag) == 0 && asked.CanMove)
                 Add("drag", None, Copy(asked).With(new QuadraticDrag(0.01)), Steps);
 
-            if ((pushing & (PushTraits.Moves | PushTraits.Turns)) == 0)
+            if ((pushing & (EffectTraits.Moves | EffectTraits.Turns)) == 0)
                 Add("forces and torques", None, Copy(asked).With(new Force(new Vector3d(1, 0, 0))).With(Torque.Constant(new Vector3d(1, 0, 0))), Steps);
         }
 

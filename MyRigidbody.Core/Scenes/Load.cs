@@ -63,8 +63,8 @@ namespace RigidBodyDynamics
 
         public Loaded(Mover mover) => _mover = mover;
 
-        public PushTraits Traits =>
-            PushTraits.Moves | PushTraits.Turns | (_mover.Load.BodyForce.IsZero ? PushTraits.None : PushTraits.ReadsOrientation);
+        public EffectTraits Traits =>
+            EffectTraits.Moves | EffectTraits.Turns | (_mover.Load.BodyForce.IsZero ? EffectTraits.None : EffectTraits.ReadsOrientation);
 
         public void At(in Instant now, in BodyState body, MassProperties mass, ref Wrench wrench) => Over(now, 1, body, mass, ref wrench);
 

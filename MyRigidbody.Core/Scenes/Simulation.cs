@@ -21,7 +21,7 @@ namespace RigidBodyDynamics
         /// <summary>Reads the scene once: every body gets the sum of what acts on it and the step made for that sum.</summary>
         /// <param name="scene">The scene; nothing that is changed in it later changes the simulation.</param>
         /// <param name="mayLeaveOut">What may be left out where the motion stays the same.</param>
-        public Simulation(Scene scene, Omissions mayLeaveOut = Omissions.All)
+        public Simulation(SceneDescription scene, Omissions mayLeaveOut = Omissions.All)
         {
             Scene = Guard.NotNull(scene, nameof(scene));
             MayLeaveOut = mayLeaveOut;
@@ -31,10 +31,10 @@ namespace RigidBodyDynamics
         }
 
         /// <summary>Bodies that move in steps of one division of time; none at first, if none is named.</summary>
-        public Simulation(TimeSteps steps, params BodyDescription[] bodies) : this(new Scene("simulation", string.Empty, steps, bodies)) { }
+        public Simulation(TimeSteps steps, params BodyDescription[] bodies) : this(new SceneDescription("simulation", string.Empty, steps, bodies)) { }
 
         /// <summary>What it began with.</summary>
-        public Scene Scene { get; }
+        public SceneDescription Scene { get; }
 
         /// <summary>The bodies, in the order in which they came; the last takes the place of one that is removed.</summary>
         public IReadOnlyList<Body> Bodies => _bodies;

@@ -55,7 +55,7 @@ namespace RigidBodyDynamics
             _sum = sum;
         }
 
-        private bool IsPushed => (_sum.Traits & (PushTraits.Moves | PushTraits.Turns)) != 0;
+        private bool IsPushed => (_sum.Traits & (EffectTraits.Moves | EffectTraits.Turns)) != 0;
 
         [MethodImpl(Optimised)]
         public override void Run(ref TIntegrator integrator, TimeSteps steps, long first, long end)

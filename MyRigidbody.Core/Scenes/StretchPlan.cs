@@ -29,15 +29,15 @@ namespace RigidBodyDynamics
                     coast.AddTo(ref _coasting, body.Mass);
                     _coasts.Add(coast);
                 }
-                else if ((effect.Motion.Traits & (PushTraits.Moves | PushTraits.Turns)) != 0)
+                else if ((effect.Motion.Traits & (EffectTraits.Moves | EffectTraits.Turns)) != 0)
                 {
                     Add(push);
                 }
             }
 
             _coasting.Acceleration = body.Lock.Moving(_coasting.Acceleration);
-            if ((Does & PushTraits.Turns) != 0 && (body.Lock & Locks.Turn) != 0)
-                Does |= PushTraits.ReadsOrientation;
+            if ((Does & EffectTraits.Turns) != 0 && (body.Lock & Locks.Turn) != 0)
+                Does |= EffectTraits.ReadsOrientation;
         }
 
         /// <summary>Its first step.</summary>
@@ -65,7 +65,7 @@ namespace RigidBodyDynamics
         internal IReadOnlyList<PushEffect> Pushes => _pushes;
 
         /// <summary>What the pushes do and read, together.</summary>
-        internal PushTraits Does { get; private set; }
+        internal EffectTraits Does { get; private set; }
 
         private void Add(PushEffect push)
         {

@@ -14,7 +14,7 @@ namespace RigidBodyDynamics
             _body = body;
         }
 
-        public PushTraits Traits => _effect.Push.Traits;
+        public EffectTraits Traits => _effect.Push.Traits;
 
         public void At(in Instant now, in BodyState body, MassProperties mass, ref Wrench wrench)
         {

@@ -22,7 +22,7 @@ public static class Advisor
     /// For every rule of the catalogue the longest step in which the error, with what the truth itself is uncertain by, is below the bound;
     /// then the time of those. A rule is given up where its steps cost far more than the best of the others.
     /// </remarks>
-    public static Advice Choose(Scene scene, double error, Action<double>? progress = null)
+    public static Advice Choose(SceneDescription scene, double error, Action<double>? progress = null)
     {
         Guard.Positive(error, nameof(error));
         Truth truth = Truth.Of(scene, done => progress?.Invoke(0.4 * done), error);
@@ -30,7 +30,7 @@ public static class Advisor
     }
 
     /// <summary>The same where the motion is known already.</summary>
-    public static Advice Choose(Scene scene, Truth truth, double error, Action<double>? progress = null)
+    public static Advice Choose(SceneDescription scene, Truth truth, double error, Action<double>? progress = null)
     {
         Guard.Positive(error, nameof(error));
         Guard.NotNull(truth, nameof(truth));

@@ -34,16 +34,16 @@ public sealed class BodyByBody
     /// <summary>Chooses for each body of a scene.</summary>
     /// <param name="scene">Taken as <see cref="StepFree"/> makes it.</param>
     /// <param name="forAll">What is advised for the scene as a whole.</param>
-    /// <param name="error">The bound, as in <see cref="Advisor.Choose(Scene, double, Action{double}?)"/>.</param>
+    /// <param name="error">The bound, as in <see cref="Advisor.Choose(SceneDescription, double, Action{double}?)"/>.</param>
     /// <param name="progress">Told the fraction that is done.</param>
     /// <remarks>
     /// Two steps are tried for all: the longest that all can take, not above the shortest of their own, and that of the one rule. In longer
     /// ones the body that needs the shortest would pay more than it must, in shorter ones all others would.
     /// </remarks>
-    public static BodyByBody Of(Scene scene, Advice forAll, double error, Action<double>? progress = null)
+    public static BodyByBody Of(SceneDescription scene, Advice forAll, double error, Action<double>? progress = null)
     {
         Guard.NotNull(forAll, nameof(forAll));
-        Scene[] alone = [.. Guard.NotNull(scene, nameof(scene)).Bodies.Select(body => new Scene(body.Name, string.Empty, scene.Steps, [body]))];
+        SceneDescription[] alone = [.. Guard.NotNull(scene, nameof(scene)).Bodies.Select(body => new SceneDescription(body.Name, string.Empty, scene.Steps, [body]))];
         Advice[] own = new Advice[alone.Length];
         for (int i = 0; i < own.Length; i++)
         {
@@ -63,7 +63,7 @@ public sealed class BodyByBody
     }
 
     /// <summary>What keeps the bodies below the bound, in the longest step that all can share and in that of the one rule.</summary>
-    private static IEnumerable<List<Trial>[]?> StepsForAll(Scene scene, Advice[] own, Advice forAll, Func<double, List<Trial>[]?> allBelow)
+    private static IEnumerable<List<Trial>[]?> StepsForAll(SceneDescription scene, Advice[] own, Advice forAll, Func<double, List<Trial>[]?> allBelow)
     {
         if (!own.All(advice => advice.Reached))
             yield break;
@@ -77,7 +77,7 @@ public sealed class BodyByBody
     }
 
     /// <summary>For every body the rules that keep it below the bound in a step; null where one has none.</summary>
-    private static List<Trial>[]? AllBelow(Scene[] alone, Advice[] own, double step, double error)
+    private static List<Trial>[]? AllBelow(SceneDescription[] alone, Advice[] own, double step, double error)
     {
         List<Trial>[] below = new List<Trial>[alone.Length];
         // who takes short steps by itself is the likeliest to have none
@@ -92,7 +92,7 @@ public sealed class BodyByBody
     }
 
     /// <summary>The rules that keep a body below the bound; in its own step only its own, which is known to be the cheapest.</summary>
-    private static List<Trial> Below(Scene alone, Advice own, double step, double error) => own.Best.Step == step
+    private static List<Trial> Below(SceneDescription alone, Advice own, double step, double error) => own.Best.Step == step
         ? [own.Best]
         : [.. Rules.All.Select(rule => Trial.Of(alone, own.Truth, rule, step, error, toItsEnd: false)).Where(trial => Advisor.IsBelow(trial, own.Truth, error))];
 }

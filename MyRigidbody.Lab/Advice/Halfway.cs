@@ -17,13 +17,13 @@ internal static class Halfway
     private const double Golden = 0.6180339887498949;
 
     /// <summary>Compares until a state is further off than it may be.</summary>
-    public static void Compare(Scene scene, Truth truth, Deviation[] found, double most)
+    public static void Compare(SceneDescription scene, Truth truth, Deviation[] found, double most)
     {
         foreach ((long step, double part) in Places(scene.Steps.Count))
         {
             double length = scene.Steps.Length(0);
             TimeSteps steps = TimeSteps.Of([.. Enumerable.Repeat(length, (int)step), part * length]);
-            Simulation simulation = new Simulation(new Scene(scene.Name, string.Empty, steps, scene.Bodies));
+            Simulation simulation = new Simulation(new SceneDescription(scene.Name, string.Empty, steps, scene.Bodies));
             simulation.Step(steps.Count);
             for (int i = 0; i < found.Length; i++)
             {

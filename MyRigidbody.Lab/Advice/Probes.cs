@@ -10,7 +10,7 @@ internal static class Probes
 
     /// <summary>For each rule, ns; NaN for one that refuses the scene.</summary>
     /// <remarks>In turns, and for so long that a runtime which compiles again what runs often has done so: else who comes first seems the dearest.</remarks>
-    public static IReadOnlyDictionary<Rule, double> Of(Scene scene, double duration)
+    public static IReadOnlyDictionary<Rule, double> Of(SceneDescription scene, double duration)
     {
         Dictionary<Rule, double> least = Rules.All.ToDictionary(rule => rule, _ => double.NaN);
         Dictionary<Rule, TimedRun> runs = [];

@@ -39,7 +39,7 @@ public static class StepClock
     }
 
     /// <summary>For a step of a body, ns: the scene from its start on, as often as fits. To make it takes no time of the clock.</summary>
-    internal static double Nanoseconds(Scene scene, Omissions mayLeaveOut, double seconds)
+    internal static double Nanoseconds(SceneDescription scene, Omissions mayLeaveOut, double seconds)
     {
         Simulation[] batch = new Simulation[Math.Max(1, Chunk / scene.Steps.Count)];
         Stopwatch clock = new Stopwatch();

@@ -8,7 +8,7 @@ public static class StepFree
     /// 1/s, which leaves as much of a velocity after each step of the scene's own length.
     /// </summary>
     /// <remarks>Refuses what has no such counterpart: values for every step, a factor in steps of several lengths, a factor of zero.</remarks>
-    public static Scene Of(Scene scene)
+    public static SceneDescription Of(SceneDescription scene)
     {
         TimeSteps steps = Guard.NotNull(scene, nameof(scene)).Steps;
         BodyDescription[] bodies = new BodyDescription[scene.Bodies.Count];
@@ -20,11 +20,11 @@ public static class StepFree
                 Add(bodies[i], body.Effects[j], steps, Place(i, j));
         }
 
-        return new Scene(scene.Name, scene.About, steps, bodies);
+        return new SceneDescription(scene.Name, scene.About, steps, bodies);
     }
 
     /// <summary>Where a scene has a factor per step, and the rates of damping of velocity and spin, 1/s, that stand for it.</summary>
-    internal static IEnumerable<(string Place, double Linear, double Angular)> Rates(Scene scene)
+    internal static IEnumerable<(string Place, double Linear, double Angular)> Rates(SceneDescription scene)
     {
         for (int i = 0; i < scene.Bodies.Count; i++)
         {
@@ -38,7 +38,7 @@ public static class StepFree
     }
 
     /// <summary>The scene with other steps and another rule for every body.</summary>
-    internal static Scene By(Scene scene, Rule rule, TimeSteps steps)
+    internal static SceneDescription By(SceneDescription scene, Rule rule, TimeSteps steps)
     {
         BodyDescription[] bodies = new BodyDescription[scene.Bodies.Count];
         for (int i = 0; i < bodies.Length; i++)
@@ -47,7 +47,7 @@ public static class StepFree
             bodies[i].Rule = rule;
         }
 
-        return new Scene(scene.Name, scene.About, steps, bodies);
+        return new SceneDescription(scene.Name, scene.About, steps, bodies);
     }
 
     private static void Add(BodyDescription body, Effect effect, TimeSteps steps, string place)

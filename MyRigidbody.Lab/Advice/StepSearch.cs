@@ -11,14 +11,14 @@ internal sealed class StepSearch
     private const long LongRun = 2000, VeryLongRun = 20_000;
     private const double Coarse = 1.1, Fine = 1.02, Beside = 1.25, ManyBits = 1e-9;
 
-    private readonly Scene _scene;
+    private readonly SceneDescription _scene;
     private readonly Truth _truth;
     private readonly double _error;
     private readonly double[] _steps;
     private readonly HashSet<double> _aligned;
     private readonly bool _hasEffectsInTime;
 
-    public StepSearch(Scene scene, Truth truth, double error)
+    public StepSearch(SceneDescription scene, Truth truth, double error)
     {
         _scene = scene;
         _truth = truth;

@@ -13,13 +13,13 @@ internal static class StepSizes
     private const int FewSteps = 16, Most = 200_000;
 
     /// <summary>From the longest down, s.</summary>
-    public static double[] Of(Scene scene, double duration)
+    public static double[] Of(SceneDescription scene, double duration)
     {
         return [.. Decimals(duration).Concat(Whole(duration)).Concat(Aligned(scene, duration)).Where(step => EndsInTime(step, duration)).Distinct().OrderDescending()];
     }
 
     /// <summary>The times at which effects begin and end, in their order.</summary>
-    public static double[] Cuts(Scene scene, double duration) => [.. scene.Bodies
+    public static double[] Cuts(SceneDescription scene, double duration) => [.. scene.Bodies
         .SelectMany(body => new Cuts(body, duration * Truth.Beyond).Times)
         .Where(time => time > 0 && time <= duration).Distinct().Order()];
 
@@ -38,7 +38,7 @@ internal static class StepSizes
     }
 
     /// <summary>The steps that meet all times at which effects begin and end, from the longest down; none where there are no such times.</summary>
-    public static IEnumerable<double> Aligned(Scene scene, double duration)
+    public static IEnumerable<double> Aligned(SceneDescription scene, double duration)
     {
         double[] cuts = Cuts(scene, duration);
         if (cuts.Length == 0)

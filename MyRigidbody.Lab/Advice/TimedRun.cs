@@ -16,7 +16,7 @@ internal sealed class TimedRun
     private readonly List<(Simulation Simulation, SavedSimulation Place)[]> _batches = [];
     private readonly long _piece;
 
-    public TimedRun(Scene scene)
+    public TimedRun(SceneDescription scene)
     {
         long count = scene.Steps.Count;
         if (count <= MostPlaces * Piece)
@@ -63,5 +63,5 @@ internal sealed class TimedRun
         return 1e9 * clock.Elapsed.TotalSeconds / ((double)done * _batches[0][0].Simulation.Bodies.Count);
     }
 
-    private static Simulation Of(Scene scene) => new Simulation(scene, Omissions.All & ~Omissions.Coasting);
+    private static Simulation Of(SceneDescription scene) => new Simulation(scene, Omissions.All & ~Omissions.Coasting);
 }

@@ -3,7 +3,7 @@ namespace RigidBodyDynamics.Lab;
 /// <summary>One rule at one step on one scene: how far it is from the truth, and what it costs.</summary>
 public sealed class Trial
 {
-    private Trial(Scene scene, Rule rule, double step)
+    private Trial(SceneDescription scene, Rule rule, double step)
     {
         Scene = scene;
         Rule = rule;
@@ -46,7 +46,7 @@ public sealed class Trial
     /// <summary>Time for a simulated second of one body, s.</summary>
     public double Cost => 1e-9 * NanosecondsPerStep / Step;
 
-    internal Scene Scene { get; }
+    internal SceneDescription Scene { get; }
 
     /// <summary>Runs a scene once, as <c>run</c> does, and compares it with the truth at the end of every step and between.</summary>
     /// <param name="scene">Taken as <see cref="StepFree"/> makes it.</param>
@@ -55,7 +55,7 @@ public sealed class Trial
     /// <param name="step">Length of its steps, s.</param>
     /// <param name="most">With an error above it a run is not looked at between its steps.</param>
     /// <param name="toItsEnd">False: nor is it then run to its end.</param>
-    public static Trial Of(Scene scene, Truth truth, Rule rule, double step, double most = double.PositiveInfinity, bool toItsEnd = true)
+    public static Trial Of(SceneDescription scene, Truth truth, Rule rule, double step, double most = double.PositiveInfinity, bool toItsEnd = true)
     {
         Guard.NotNull(truth, nameof(truth));
         TimeSteps steps = TimeSteps.Until(truth.Duration, step);

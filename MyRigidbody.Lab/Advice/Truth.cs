@@ -68,9 +68,9 @@ public sealed class Truth
     /// <param name="progress">Told the fraction that is done.</param>
     /// <param name="error">What it is to judge, the larger of rad and m: a thousandth of it is exact enough. 0: as exact as can be.</param>
     /// <remarks>The uncertainty is the last change; the floor, what a start moved by its last bits changes.</remarks>
-    public static Truth Of(Scene scene, Action<double>? progress = null, double error = 0)
+    public static Truth Of(SceneDescription scene, Action<double>? progress = null, double error = 0)
     {
-        Scene free = StepFree.Of(scene);
+        SceneDescription free = StepFree.Of(scene);
         double duration = free.Steps.StartOf(free.Steps.Count);
         if (!(duration <= MostSeconds))
             throw Guard.Refused("duration", duration, "must be at most " + MostSeconds + " s to be refined");

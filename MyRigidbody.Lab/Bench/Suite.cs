@@ -13,7 +13,7 @@ internal static class Suite
     {
         Vector3d gravity = new(0, -9.81, 0), force = new(5, 1, 2);
         BodyDescription cube = Body("LabEuler", new Vector3d(0.5, 0.5, 0.5))
-            .With(new Gravity(gravity)).With(new DecayPerStep(0.98, 0.98)).With(new Force(force)).With(new Key(LabKey.R));
+            .With(new Gravity(gravity)).With(new DecayPerStep(0.98, 0.98)).With(new Force(force)).With(new KeyPush(LabKey.R));
         return
         [
             Alone("lab's step, written by hand", new HandWritten(cube.Start, cube.Mass, force, gravity, 0.98, Step).Go()),
@@ -133,7 +133,7 @@ internal static class Suite
     private static Measurement Alone(string what, Func<Action<long>> make) => new(what, 1, 1, make);
 
     private static Simulation Of(BodyDescription body, Omissions mayLeaveOut) =>
-        new(new Scene("bench", string.Empty, TimeSteps.Every(Step), [body]), mayLeaveOut);
+        new(new SceneDescription("bench", string.Empty, TimeSteps.Every(Step), [body]), mayLeaveOut);
 
     private static Simulation Of(Func<BodyDescription> like, int bodies)
     {
@@ -145,12 +145,12 @@ internal static class Suite
             all[i].Start = Start(i, body);
         }
 
-        return new Simulation(new Scene("bench", string.Empty, TimeSteps.Every(Step), all), Omissions.All & ~Omissions.Coasting);
+        return new Simulation(new SceneDescription("bench", string.Empty, TimeSteps.Every(Step), all), Omissions.All & ~Omissions.Coasting);
     }
 
     private static Simulation Together(BodyDescription body, int bodies, int threads, Omissions mayLeaveOut)
     {
-        Simulation simulation = new(new Scene("bench", string.Empty, TimeSteps.Every(Step), []), mayLeaveOut) { Threads = threads };
+        Simulation simulation = new(new SceneDescription("bench", string.Empty, TimeSteps.Every(Step), []), mayLeaveOut) { Threads = threads };
         for (int i = 0; i < bodies; i++)
             simulation.Add(body, Start(i, body));
 

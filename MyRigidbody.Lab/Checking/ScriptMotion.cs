@@ -53,7 +53,7 @@ internal static class ScriptMotion
 
     private static Track Played(BodyDescription body, Word names, MassProperties shape, int frames)
     {
-        Simulation simulation = new(new Scene(body.Name, string.Empty, TimeSteps.Every(FrameInput.FixedDelta, frames), [body]));
+        Simulation simulation = new(new SceneDescription(body.Name, string.Empty, TimeSteps.Every(FrameInput.FixedDelta, frames), [body]));
         Track track = new(body.Name, body.Mass, shape) { Names = names };
         track.States.Add(simulation.Bodies[0].State);
         for (int frame = 0; frame < frames; frame++)

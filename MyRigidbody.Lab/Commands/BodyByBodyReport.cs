@@ -7,7 +7,7 @@ namespace RigidBodyDynamics.Lab.Commands;
 internal static class BodyByBodyReport
 {
     /// <summary>A row a body, and what choosing so saves.</summary>
-    public static void Print(Scene scene, double error, Advice forAll, BodyByBody found)
+    public static void Print(SceneDescription scene, double error, Advice forAll, BodyByBody found)
     {
         bool sharesStep = found.OneStep.Count > 0;
         string step = sharesStep ? CostTables.Step(found.OneStep[0].Step) : string.Empty;
@@ -41,7 +41,7 @@ internal static class BodyByBodyReport
     }
 
     /// <summary>The answer for every body.</summary>
-    public static object Bodies(Scene scene, BodyByBody found) => scene.Bodies.Zip(found.Own, (body, own) => new
+    public static object Bodies(SceneDescription scene, BodyByBody found) => scene.Bodies.Zip(found.Own, (body, own) => new
     {
         name = body.Name,
         reached = own.Reached,
@@ -53,7 +53,7 @@ internal static class BodyByBodyReport
     });
 
     /// <summary>What a scene file can say; null where no step is short enough for all.</summary>
-    public static object? OneStep(Scene scene, BodyByBody found) => found.OneStep.Count == 0 ? null : new
+    public static object? OneStep(SceneDescription scene, BodyByBody found) => found.OneStep.Count == 0 ? null : new
     {
         step = found.OneStep[0].Step,
         bodies = scene.Bodies.Zip(found.OneStep, (body, trial) => new

@@ -7,7 +7,7 @@ internal static class Breakdown
     /// Runs something. An effect that broke is bad input (exit code 2) and named by its place in the file; a rule that ran away
     /// from the scene has fallen short (1).
     /// </summary>
-    public static T Placed<T>(string path, Scene scene, Func<T> run)
+    public static T Placed<T>(string path, SceneDescription scene, Func<T> run)
     {
         try
         {
@@ -24,7 +24,7 @@ internal static class Breakdown
     }
 
     /// <summary>Runs something that has no result.</summary>
-    public static void Placed(string path, Scene scene, Action run) => Placed(path, scene, () =>
+    public static void Placed(string path, SceneDescription scene, Action run) => Placed(path, scene, () =>
     {
         run();
         return true;
@@ -35,7 +35,7 @@ internal static class Breakdown
         $"body {(lost.Handle is Body one ? ManyBodies.NameOf(one) : lost.Body)}: {lost.Reason}";
 
     /// <summary>Commands run bodies under other names and with some of their effects only; an effect stays the one it is.</summary>
-    private static string PlaceOf(BrokenEffectException broken, Scene scene)
+    private static string PlaceOf(BrokenEffectException broken, SceneDescription scene)
     {
         for (int body = 0; body < scene.Bodies.Count; body++)
         {

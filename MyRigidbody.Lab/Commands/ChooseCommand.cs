@@ -37,7 +37,7 @@ internal static class ChooseCommand
     private static int Execute(string path, double error, bool asJson)
     {
         Overrides.Named("--error", () => Guard.Positive(error, "error"));
-        Scene asked = SceneReader.Read(path).Scene, scene = Overrides.Named(path, () => StepFree.Of(asked));
+        SceneDescription asked = SceneReader.Read(path).Scene, scene = Overrides.Named(path, () => StepFree.Of(asked));
         Advice advice = null!;
         Trial lab = null!;
         BodyByBody? each = null;
@@ -74,7 +74,7 @@ internal static class ChooseCommand
                 + (each is { Reached: true } ? "; body by body they do" : string.Empty));
     }
 
-    private static void Print(Scene scene, double error, Advice advice, Trial lab, string path)
+    private static void Print(SceneDescription scene, double error, Advice advice, Trial lab, string path)
     {
         TextTable table = new TextTable("", "integrator", "step, s", "error", "µs per s", "× lab").RightAligned(2, 3, 4, 5);
 
@@ -111,7 +111,7 @@ internal static class ChooseCommand
             CostTables.Number(trial.NanosecondsPerStep / lab.NanosecondsPerStep));
     }
 
-    private static string Json(Scene scene, double error, Advice advice, Trial lab, BodyByBody? each)
+    private static string Json(SceneDescription scene, double error, Advice advice, Trial lab, BodyByBody? each)
     {
         JsonObject answer = Node(new
         {

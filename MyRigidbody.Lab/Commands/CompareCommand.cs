@@ -64,7 +64,7 @@ internal static class CompareCommand
 
     private static int Pairs(SceneFile file, string folder)
     {
-        Scene scene = file.Scene;
+        SceneDescription scene = file.Scene;
         IReadOnlyList<Pair> pairs = Pair.Of(file);
         if (pairs.Count > MostPairs)
         {
@@ -106,7 +106,7 @@ internal static class CompareCommand
         return 0;
     }
 
-    private static void Print(Scene scene, List<Findings> found, string folder)
+    private static void Print(SceneDescription scene, List<Findings> found, string folder)
     {
         double duration = scene.Steps.StartOf(scene.Steps.Count);
         Terminal.WriteText(FormattableString.Invariant($"{scene.Name}: {scene.About}"));

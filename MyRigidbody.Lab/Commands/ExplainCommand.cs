@@ -26,7 +26,7 @@ internal static class ExplainCommand
     private static int Execute(string path, bool json)
     {
         SceneFile read = SceneReader.ReadWithCrowds(path);
-        Scene scene = read.Scene;
+        SceneDescription scene = read.Scene;
         Simulation simulation = Overrides.Named(path, () => new Simulation(ManyBodies.WithFirst(scene, read.Crowds)));
 
         // bodies that move alike are explained once

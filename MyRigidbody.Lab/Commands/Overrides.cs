@@ -4,7 +4,7 @@ namespace RigidBodyDynamics.Lab.Commands;
 internal static class Overrides
 {
     /// <summary>The scene with another integrator, another step, or both, for every body.</summary>
-    public static Scene Apply(Scene scene, string? integrator, double? step)
+    public static SceneDescription Apply(SceneDescription scene, string? integrator, double? step)
     {
         if (integrator != null)
         {
@@ -27,11 +27,11 @@ internal static class Overrides
 
         double duration = scene.Steps.StartOf(scene.Steps.Count);
         TimeSteps steps = Named("--step", () => TimeSteps.Until(duration, step.Value));
-        return new Scene(scene.Name, scene.About, steps, scene.Bodies);
+        return new SceneDescription(scene.Name, scene.About, steps, scene.Bodies);
     }
 
     /// <summary>The simulation of a scene; what the Core refuses is an error of the file.</summary>
-    public static Simulation Start(string path, Scene scene)
+    public static Simulation Start(string path, SceneDescription scene)
     {
         try
         {

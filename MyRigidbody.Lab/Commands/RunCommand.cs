@@ -59,7 +59,7 @@ internal static class RunCommand
         }
 
         SceneFile read = SceneReader.ReadWithCrowds(path);
-        Scene scene = Overrides.Apply(read.Scene, integrator, step);
+        SceneDescription scene = Overrides.Apply(read.Scene, integrator, step);
         if (output == null)
         {
             using StreamWriter standard = new(StandardOutput.Open(), new UTF8Encoding(false));

@@ -38,7 +38,7 @@ internal static class ComparePictures
     }
 
     /// <summary>The share of each rule in the mean distance and in the mean difference of turning, per cent.</summary>
-    public static Plot Rules(Scene scene, Findings found)
+    public static Plot Rules(SceneDescription scene, Findings found)
     {
         Plot plot = Pictures.New($"{scene.Name}: which rule makes how much of the difference");
         IReadOnlyList<RuleShare> shares = found.Shares.Shares;

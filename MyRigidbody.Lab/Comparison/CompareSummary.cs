@@ -16,7 +16,7 @@ internal static class CompareSummary
     };
 
     /// <summary>The comparisons of a scene as JSON.</summary>
-    public static string Json(Scene scene, IEnumerable<Findings> found) => Text(
+    public static string Json(SceneDescription scene, IEnumerable<Findings> found) => Text(
         new
         {
             scene = scene.Name,

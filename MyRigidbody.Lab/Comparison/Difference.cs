@@ -10,7 +10,7 @@ namespace RigidBodyDynamics.Lab.Comparison;
 internal sealed record Difference(string Name, string Mine, string Unitys, Func<BodyDescription, BodyDescription> Exchange)
 {
     /// <summary>True for effects that Unity has as drag.</summary>
-    public static bool IsDamping(Effect effect) => effect.Motion is ICoast && effect.Motion.Traits.HasFlag(PushTraits.IsDamping);
+    public static bool IsDamping(Effect effect) => effect.Motion is ICoast && effect.Motion.Traits.HasFlag(EffectTraits.IsDamping);
 
     /// <summary>
     /// MyRigidbody in the shape of Unity's step, with every rule still the lab's: the same motion to rounding, but now

@@ -47,7 +47,7 @@ internal sealed record FrameRate(int FramesPerSecond, double Impulse, double Ang
             Apart.Between(body, inUpdate, steps));
     }
 
-    private static bool IsKey(Effect effect) => effect.Motion is Key;
+    private static bool IsKey(Effect effect) => effect.Motion is KeyPush;
 
     /// <summary>Within a frame Unity runs the physics steps that are due first, then Update.</summary>
     private static long FirstAfter(TimeSteps steps, double time)
@@ -65,7 +65,7 @@ internal sealed record FrameRate(int FramesPerSecond, double Impulse, double Ang
         {
             if (frames.FirstAt(effect.From) <= frame && frame < frames.FirstAt(effect.To))
             {
-                ((Key)effect.Motion).At(new Instant(0, time), body.Start, body.Mass, ref wrench);
+                ((KeyPush)effect.Motion).At(new Instant(0, time), body.Start, body.Mass, ref wrench);
             }
         }
 
@@ -83,7 +83,7 @@ internal sealed record FrameRate(int FramesPerSecond, double Impulse, double Ang
             {
                 if (steps.FirstAt(effect.From) <= step && step < steps.FirstAt(effect.To))
                 {
-                    ((Key)effect.Motion).At(new Instant(step, steps.StartOf(step)), body.Start, body.Mass, ref wrench);
+                    ((KeyPush)effect.Motion).At(new Instant(step, steps.StartOf(step)), body.Start, body.Mass, ref wrench);
                 }
             }
 

@@ -122,7 +122,7 @@ internal sealed class RecordingComparison
         }
     }
 
-    private void Print(Scene scene, string folder)
+    private void Print(SceneDescription scene, string folder)
     {
         TextTable table = new("of", "largest difference");
         foreach (RecordingTable.Row row in Rows())
@@ -136,7 +136,7 @@ internal sealed class RecordingComparison
         Terminal.WriteText($"Written to {folder}: trajectory.csv, summary.json, pictures (.png, .svg), replay.png, which moves, and {Reports.FileName}, to open in the browser");
     }
 
-    private Word Lead(Scene scene) => _parts == null
+    private Word Lead(SceneDescription scene) => _parts == null
         ? Words.All["recording.same"].With(scene.Bodies[0].Rule.Name, scene.Steps.Count)
         : Words.All["recording.parts"].With(scene.Bodies[0].Rule.Name, _parts);
 
@@ -144,7 +144,7 @@ internal sealed class RecordingComparison
         Words.Phrase(part.Name),
         string.Create(CultureInfo.InvariantCulture, $"{_farthest[i]:G3} {part.Unit}").Trim()));
 
-    private string Json(Scene scene) => CompareSummary.Text(
+    private string Json(SceneDescription scene) => CompareSummary.Text(
         new
         {
             recording = scene.Name,

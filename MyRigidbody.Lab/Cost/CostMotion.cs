@@ -4,7 +4,7 @@ namespace RigidBodyDynamics.Lab;
 /// <param name="Scene">As <see cref="StepFree"/> makes it.</param>
 /// <param name="Truth">Its motion.</param>
 /// <param name="IsSolved">True if the motion was computed elsewhere, to 20 digits; false if by our own integrators.</param>
-internal sealed record CostMotion(Scene Scene, Truth Truth, bool IsSolved)
+internal sealed record CostMotion(SceneDescription Scene, Truth Truth, bool IsSolved)
 {
     /// <summary>Where the true motion comes from, in words.</summary>
     public string Origin => IsSolved
@@ -14,7 +14,7 @@ internal sealed record CostMotion(Scene Scene, Truth Truth, bool IsSolved)
     /// <summary>The motion of a scene file.</summary>
     public static CostMotion Of(string path, Action<double> report)
     {
-        Scene scene = SceneReader.Read(path).Scene;
+        SceneDescription scene = SceneReader.Read(path).Scene;
         try
         {
             return new CostMotion(StepFree.Of(scene), Truth.Of(scene, report), IsSolved: false);

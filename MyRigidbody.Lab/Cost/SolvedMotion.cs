@@ -46,7 +46,7 @@ internal static class SolvedMotion
         }
 
         string about = fields.Required("description").Text();
-        Scene scene = new(name, about, TimeSteps.Until(until, BaseStep), [body]);
+        SceneDescription scene = new(name, about, TimeSteps.Until(until, BaseStep), [body]);
         return new CostMotion(scene, new Truth(BaseStep, Uncertainty, Samples(name, until)), IsSolved: true);
     });
 

@@ -23,7 +23,7 @@ internal sealed record Saving(Omission Omission, double Without, double With)
     public static IReadOnlyList<Saving> Measure(BodyPlan plan, IReadOnlyList<Omission> leftOut, Action<double> report)
     {
         // every step taken, whoever looks; the steps themselves are what a body that coasts saves
-        (Scene Scene, Omissions MayLeaveOut)[] runs =
+        (SceneDescription Scene, Omissions MayLeaveOut)[] runs =
         [
             (Alone(plan.Asked, plan), Omissions.All & ~Omissions.Coasting),
             (Alone(plan.Asked, plan), Omissions.All),
@@ -48,5 +48,5 @@ internal sealed record Saving(Omission Omission, double Without, double With)
                 : new Saving(omission, least[0], least[i + 2]))];
     }
 
-    private static Scene Alone(BodyDescription body, BodyPlan plan) => new("alone", string.Empty, plan.Steps, [body]);
+    private static SceneDescription Alone(BodyDescription body, BodyPlan plan) => new("alone", string.Empty, plan.Steps, [body]);
 }

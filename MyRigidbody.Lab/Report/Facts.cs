@@ -10,7 +10,7 @@ internal sealed record Facts(IReadOnlyList<Facts.Row> Rows) : Section
     public override string Kind => "facts";
 
     /// <summary>Of a page that shows so many moments of a run.</summary>
-    public static Facts Of(Scene scene, string file, int moments)
+    public static Facts Of(SceneDescription scene, string file, int moments)
     {
         TimeSteps steps = scene.Steps;
         string count = steps.Count.ToString(CultureInfo.InvariantCulture), whole = Number(steps.StartOf(steps.Count));

@@ -69,7 +69,7 @@ internal sealed class Motion
     /// <summary>A recorded body and ours beside it; the moments are after every step.</summary>
     public static Motion Of(SceneFile file, string recorded, IReadOnlyList<Compared> course)
     {
-        Scene scene = file.Scene;
+        SceneDescription scene = file.Scene;
         Motion motion = new(scene.Steps, 2);
         BodyDescription body = scene.Bodies[0];
         MassProperties shape = Shape(file, body);
@@ -80,7 +80,7 @@ internal sealed class Motion
     }
 
     /// <summary>All bodies of a scene, run once more for the moments of a page.</summary>
-    public static Motion Of(SceneFile file, Scene scene, Simulation simulation)
+    public static Motion Of(SceneFile file, SceneDescription scene, Simulation simulation)
     {
         Motion motion = new(scene.Steps, simulation.Bodies.Count);
         motion.Tracks.AddRange(simulation.Bodies.Take(Frames.MostBodies)
@@ -126,8 +126,8 @@ internal sealed class Motion
     {
         double end = steps.StartOf(steps.Count);
         return [.. bodies.SelectMany(body => body.Effects)
-            .Where(effect => effect.Motion is Key || effect.From > 0 || effect.To < end)
-            .Select(effect => new Held(effect.Motion.ToString()!, effect.Motion is Key, Math.Max(0, effect.From), Math.Min(end, effect.To)))
+            .Where(effect => effect.Motion is KeyPush || effect.From > 0 || effect.To < end)
+            .Select(effect => new Held(effect.Motion.ToString()!, effect.Motion is KeyPush, Math.Max(0, effect.From), Math.Min(end, effect.To)))
             .Distinct()
             .OrderBy(held => !held.IsKey)
             .Take(MostHeld)];

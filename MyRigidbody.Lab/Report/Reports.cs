@@ -33,7 +33,7 @@ internal static class Reports
         ]);
 
     /// <summary>Of <c>run</c>.</summary>
-    public static Page Of(SceneFile file, Scene scene, Simulation simulation, string command)
+    public static Page Of(SceneFile file, SceneDescription scene, Simulation simulation, string command)
     {
         Motion motion = Motion.Of(file, scene, simulation);
         return Page(file, scene, command, motion,
@@ -48,7 +48,7 @@ internal static class Reports
     public static Page Of(IReadOnlyList<CostFindings> found, string command) => new(
         Words.All["cost.page"], string.Empty, string.Empty, command, [new CostDiagrams(found), Facts.OfMachine()]);
 
-    private static Page Page(SceneFile file, Scene scene, string command, Motion motion, List<Section> sections)
+    private static Page Page(SceneFile file, SceneDescription scene, string command, Motion motion, List<Section> sections)
     {
         string shown = Report.Page.Shown(file.Path);
         return new Page(Word.Name(scene.Name), scene.About, shown, command, [.. sections, Facts.Of(scene, shown, motion.At.Count)]);

@@ -15,7 +15,7 @@ internal static class EffectReader
             sine: of.Or("sin", Vector3d.Zero, torque => torque.Vector("N m")),
             cosine: of.Or("cos", Vector3d.Zero, torque => torque.Vector("N m")),
             rate: of.Or("rate", 1, rate => rate.Number("rad/s, 1 if absent"))))),
-        ["key"] = Push(form => new Key((LabKey)form.OneOf(
+        ["key"] = Push(form => new KeyPush((LabKey)form.OneOf(
             "A key of the lab: 5 N along -x, +x, +y, -y; torque (sin t, sin t, sin t)", Enum.GetNames<LabKey>()))),
         ["linearDamping"] = Coast(form => new LinearDamping(form.Number("Rate, 1/s: the velocity falls by exp(-c dt)", 0))),
         ["angularDamping"] = Coast(form => new AngularDamping(form.Number("Rate, 1/s: the angular velocity falls by exp(-c dt)", 0))),

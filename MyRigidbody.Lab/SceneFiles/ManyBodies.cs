@@ -43,10 +43,10 @@ internal sealed record ManyBodies(BodyDescription Body, int Count, Spread Spread
     }
 
     /// <summary>The bodies of a scene: those that stand alone, and then those in numbers.</summary>
-    public static Simulation Simulate(Scene scene, IReadOnlyDictionary<string, ManyBodies> crowds)
+    public static Simulation Simulate(SceneDescription scene, IReadOnlyDictionary<string, ManyBodies> crowds)
     {
         Memory.MustHold("bodies", crowds.Values.Where(crowd => crowd.Count > Many).Sum(crowd => crowd.Bytes(scene.Steps)));
-        Simulation simulation = new(new Scene(scene.Name, scene.About, scene.Steps, [.. scene.Bodies.Where(body => !crowds.ContainsKey(body.Name))]));
+        Simulation simulation = new(new SceneDescription(scene.Name, scene.About, scene.Steps, [.. scene.Bodies.Where(body => !crowds.ContainsKey(body.Name))]));
         foreach (BodyDescription body in scene.Bodies.Where(body => crowds.ContainsKey(body.Name)))
         {
             crowds[body.Name].AddTo(simulation);
@@ -56,7 +56,7 @@ internal sealed record ManyBodies(BodyDescription Body, int Count, Spread Spread
     }
 
     /// <summary>The scene with the first of those in numbers in the place of the one in the middle, which nobody runs.</summary>
-    public static Scene WithFirst(Scene scene, IReadOnlyDictionary<string, ManyBodies> crowds) => new(
+    public static SceneDescription WithFirst(SceneDescription scene, IReadOnlyDictionary<string, ManyBodies> crowds) => new(
         scene.Name, scene.About, scene.Steps, [.. scene.Bodies.Select(body => crowds.TryGetValue(body.Name, out ManyBodies? crowd) ? crowd.Start(0) : body)]);
 
     /// <summary>The name of a body; one of many has a number.</summary>

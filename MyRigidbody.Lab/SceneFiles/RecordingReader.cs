@@ -26,7 +26,7 @@ internal static class RecordingReader
 
         fields.End();
         root.Check(body);
-        Scene scene = new(name, about, steps, [body]);
+        SceneDescription scene = new(name, about, steps, [body]);
         return new SceneFile(root.File, scene, new Dictionary<string, ManyBodies>(), new Dictionary<string, MassProperties>(), Recording.Beside(root.File, count));
     }
 
@@ -52,7 +52,7 @@ internal static class RecordingReader
         decay.Make(() => body.With(new DecayPerStep(factor, factor)));
         fields.End();
         root.Check(body);
-        Scene scene = new(name, about, steps, [body]);
+        SceneDescription scene = new(name, about, steps, [body]);
         Recording recording = Recording.Beside(root.File, count) with { IsOfScript = true };
         Dictionary<string, MassProperties> solidBoxes = new() { [name] = Solids.Box(mass, edges) };
         return new SceneFile(root.File, scene, new Dictionary<string, ManyBodies>(), solidBoxes, recording);

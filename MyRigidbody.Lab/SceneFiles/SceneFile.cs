@@ -8,7 +8,7 @@ namespace RigidBodyDynamics.Lab;
 /// <param name="Recording">What was recorded, if the file is a recording.</param>
 internal sealed record SceneFile(
     string Path,
-    Scene Scene,
+    SceneDescription Scene,
     IReadOnlyDictionary<string, ManyBodies> Crowds,
     IReadOnlyDictionary<string, MassProperties> SolidBoxes,
     Recording? Recording)

@@ -121,7 +121,7 @@ internal sealed class Reading(string folder)
 
     private Outcome Simulate(SceneFile file)
     {
-        Scene scene = new(file.Scene.Name, file.Scene.About, file.Scene.Steps, [.. file.Scene.Bodies.Take(MostBodies)]);
+        SceneDescription scene = new(file.Scene.Name, file.Scene.About, file.Scene.Steps, [.. file.Scene.Bodies.Take(MostBodies)]);
         using StringWriter table = new();
         TrajectoryCsv csv = new(table);
         try

@@ -49,7 +49,7 @@ namespace RigidBodyDynamics.StepTimes
                 bodies[i].Start = batch.Bodies[i].State;
             }
 
-            Simulation alone = new Simulation(new Scene("alone", string.Empty, Steps, bodies), Omissions.None);
+            Simulation alone = new Simulation(new SceneDescription("alone", string.Empty, Steps, bodies), Omissions.None);
             double one = double.PositiveInfinity, all = double.PositiveInfinity;
             for (int turn = 0; turn < Turns; turn++)
             {
@@ -135,7 +135,7 @@ namespace RigidBodyDynamics.StepTimes
         private static Simulation Many(BodyDescription body, int count, Omissions mayLeaveOut = Omissions.None)
         {
             Random random = new Random(1);
-            Simulation batch = new Simulation(new Scene("many", string.Empty, Steps, new BodyDescription[0]), mayLeaveOut) { Threads = 1 };
+            Simulation batch = new Simulation(new SceneDescription("many", string.Empty, Steps, new BodyDescription[0]), mayLeaveOut) { Threads = 1 };
             for (int i = 0; i < count; i++)
             {
                 Vector3d w = body.CanTurn ? Any(random) : Vector3d.Zero;

@@ -31,7 +31,7 @@ namespace RigidBodyDynamics.StepTimes
                     Start = new BodyState(Vector3d.Zero, Quaterniond.Identity, Vector3d.Zero, new Vector3d(1, 1.1, 0.9)),
                 },
             };
-            Simulation simulation = new Simulation(new Scene("top", string.Empty, TimeSteps.Every(0.02), bodies), Omissions.None);
+            Simulation simulation = new Simulation(new SceneDescription("top", string.Empty, TimeSteps.Every(0.02), bodies), Omissions.None);
             Body body = simulation.Bodies[0];
             double energy = body.KineticEnergy;
             Vector3d momentum = body.AngularMomentum;
@@ -78,7 +78,7 @@ namespace RigidBodyDynamics.StepTimes
             foreach (BodyDescription description in BitHash.HardBodies.All())
             {
                 description.Rule = Rules.Exact;
-                Simulation simulation = new Simulation(new Scene("hard", string.Empty, TimeSteps.Every(0.02), new[] { description }), Omissions.None);
+                Simulation simulation = new Simulation(new SceneDescription("hard", string.Empty, TimeSteps.Every(0.02), new[] { description }), Omissions.None);
                 Body body = simulation.Bodies[0];
                 double energy = body.KineticEnergy, length = body.AngularMomentum.Length;
                 simulation.Step(1000000);

@@ -21,7 +21,7 @@ namespace RigidBodyDynamics.StepTimes
 
             rows.Add(new Row("lab's step, by the library", Body("LabEuler", new Vector3d(0.5, 0.5, 0.5))
                 .With(new Gravity(new Vector3d(0, -9.81, 0))).With(new DecayPerStep(0.98, 0.98))
-                .With(new Force(new Vector3d(5, 1, 2))).With(new Key(LabKey.R))));
+                .With(new Force(new Vector3d(5, 1, 2))).With(new KeyPush(LabKey.R))));
 
             foreach (Row row in rows)
                 row.Warm();
@@ -54,7 +54,7 @@ namespace RigidBodyDynamics.StepTimes
                 What = what;
                 // what a step costs is asked for, so each is taken
                 _simulation = new Simulation(
-                    new Scene("rules", string.Empty, TimeSteps.Every(0.02), new[] { body }), Omissions.All & ~Omissions.Coasting);
+                    new SceneDescription("rules", string.Empty, TimeSteps.Every(0.02), new[] { body }), Omissions.All & ~Omissions.Coasting);
             }
 
             public string What { get; }

@@ -101,7 +101,7 @@ namespace RigidBodyDynamics.StepTimes
                 all[i].Rule = Rules.Named(row);
             }
 
-            Simulation simulation = new Simulation(new Scene(row, string.Empty, TimeSteps.Every(0.02), all), Omissions.None);
+            Simulation simulation = new Simulation(new SceneDescription(row, string.Empty, TimeSteps.Every(0.02), all), Omissions.None);
             Stopwatch clock = Stopwatch.StartNew();
             if (bodies == 1)
             {

@@ -40,7 +40,7 @@ public sealed class AdvisorTests
         BodyDescription body = new BodyDescription("ball", Solids.Sphere(mass, 0.5)) { Start = start }
             .With(new Gravity(Down)).With(new Spring(Vector3d.Zero, new Vector3d(0, 1, 0), stiffness));
 
-        Advice advice = Advisor.Choose(new Scene("spring", string.Empty, TimeSteps.Until(duration, 0.02), [body]), error);
+        Advice advice = Advisor.Choose(new SceneDescription("spring", string.Empty, TimeSteps.Until(duration, 0.02), [body]), error);
 
         body.Rule = advice.Best.Rule;
         Simulation simulation = new(TimeSteps.Until(duration, advice.Best.Step), body);
@@ -63,7 +63,7 @@ public sealed class AdvisorTests
     {
         BodyDescription body = new BodyDescription("ball", Solids.Sphere(2, 0.5)) { Start = new BodyState(new Vector3d(0.5, 0, 0), Quaterniond.Identity, Vector3d.Zero, Vector3d.Zero) }
             .With(new Spring(Vector3d.Zero, Vector3d.Zero, 315.82734083485946));
-        Scene scene = new("spring", string.Empty, TimeSteps.Until(20, 0.02), [body]);
+        SceneDescription scene = new("spring", string.Empty, TimeSteps.Until(20, 0.02), [body]);
 
         Trial trial = Trial.Of(scene, Truth.Of(scene), Rules.ExplicitEuler, 20);
 
@@ -102,7 +102,7 @@ public sealed class AdvisorTests
         BodyDescription body = new BodyDescription("ball", Solids.Sphere(1, 0.5)) { Start = start }
             .With(new Repulsion(100));
 
-        Advice advice = Advisor.Choose(new Scene("flees", string.Empty, TimeSteps.Every(0.1, 40), [body]), 1e-3);
+        Advice advice = Advisor.Choose(new SceneDescription("flees", string.Empty, TimeSteps.Every(0.1, 40), [body]), 1e-3);
 
         Assert.That(advice.Reached, Is.False);
         Assert.That(advice.Reason, Does.StartWith("chaos"));
@@ -122,7 +122,7 @@ public sealed class AdvisorTests
         BodyState start = new(new Vector3d(1, 0, 0), Quaterniond.Identity, Vector3d.Zero, Vector3d.Zero);
         BodyDescription body = new BodyDescription("ball", Solids.Sphere(1, 0.5)) { Start = start }
             .With(new Spring(Vector3d.Zero, Vector3d.Zero, 1e12));
-        Scene scene = new("stiff", string.Empty, TimeSteps.Every(0.1, 1000), [body]);
+        SceneDescription scene = new("stiff", string.Empty, TimeSteps.Every(0.1, 1000), [body]);
         Truth truth = new(0.1, 0, [new TruthSample(1000, 0, [start])]);
 
         Trial trial = Trial.Of(scene, truth, Rules.LabEuler, 0.1);
@@ -168,5 +168,5 @@ public sealed class AdvisorTests
         Start = new BodyState(Vector3d.Zero, Quaterniond.Identity, Vector3d.Zero, new Vector3d(0, 0, 1)),
     }.With(new Gravity(Down));
 
-    private static Scene Fall() => new("fall", string.Empty, TimeSteps.Every(0.02, 100), [Ball()]);
+    private static SceneDescription Fall() => new("fall", string.Empty, TimeSteps.Every(0.02, 100), [Ball()]);
 }

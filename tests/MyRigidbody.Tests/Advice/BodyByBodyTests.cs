@@ -12,7 +12,7 @@ public sealed class BodyByBodyTests
     public void Free_slab_takes_longer_steps_than_a_heavy_top_and_both_keep_the_error()
     {
         ExactCase slab = ExactCase.Read("dzhanibekov_1e-3"), top = ExactCase.Read("lagrange_top");
-        Scene scene = new("slab and top", string.Empty, TimeSteps.Every(0.02, 1000), [Named("slab", slab), Named("top", top)]);
+        SceneDescription scene = new("slab and top", string.Empty, TimeSteps.Every(0.02, 1000), [Named("slab", slab), Named("top", top)]);
 
         Advice forAll = Advisor.Choose(scene, Error);
         BodyByBody found = BodyByBody.Of(scene, forAll, Error);
@@ -45,7 +45,7 @@ public sealed class BodyByBodyTests
         BodyState start = new(new Vector3d(1e-3, 0, 0), Quaterniond.Identity, Vector3d.Zero, Vector3d.Zero);
         BodyDescription flees = new BodyDescription("flees", Solids.Sphere(1, 0.5)) { Start = start }.With(new Repulsion(100));
         BodyDescription rests = new("rests", Solids.Sphere(1, 0.5));
-        Scene scene = new("two", string.Empty, TimeSteps.Every(0.1, 40), [flees, rests]);
+        SceneDescription scene = new("two", string.Empty, TimeSteps.Every(0.1, 40), [flees, rests]);
 
         Advice forAll = Advisor.Choose(scene, 1e-3);
         BodyByBody found = BodyByBody.Of(scene, forAll, 1e-3);

@@ -16,7 +16,7 @@ internal sealed record Promise(double Error, double Still)
     /// <remarks>The independent motion is refined until it stands still to a thousandth of the error, or to the last bits.</remarks>
     public static Promise Of(string path, string? integrator = null, double? step = null)
     {
-        Scene scene = Overrides.Apply(WithRates(SceneReader.Read(path).Scene), integrator, step);
+        SceneDescription scene = Overrides.Apply(WithRates(SceneReader.Read(path).Scene), integrator, step);
         TimeSteps steps = scene.Steps;
         List<(double Time, BodyState[] Bodies)> states = [];
         Simulation simulation = new(scene);
@@ -33,7 +33,7 @@ internal sealed record Promise(double Error, double Still)
             int whole = (int)Math.Min(random.NextInt64(steps.Count), 20_000);
             double part = random.NextDouble() * steps.Length(0);
             TimeSteps shorter = TimeSteps.Of([.. Enumerable.Repeat(steps.Length(0), whole), part]);
-            Simulation between = new(new Scene("between", string.Empty, shorter, scene.Bodies));
+            Simulation between = new(new SceneDescription("between", string.Empty, shorter, scene.Bodies));
             between.Step(shorter.Count);
             states.Add(((whole * steps.Length(0)) + part, [.. between.Bodies.Select(body => body.State)]));
         }
@@ -66,7 +66,7 @@ internal sealed record Promise(double Error, double Still)
     private static double Apart(BodyState a, BodyState b) =>
         Math.Max(Conserved.AngleBetween(a.Orientation, b.Orientation), (a.Position - b.Position).Length);
 
-    private static Scene WithRates(Scene scene)
+    private static SceneDescription WithRates(SceneDescription scene)
     {
         BodyDescription[] bodies = [.. scene.Bodies.Select(body => body.Copy(body.Name, body.Mass).Without(effect => effect.Motion is DecayPerStep))];
         for (int i = 0; i < bodies.Length; i++)
@@ -80,6 +80,6 @@ internal sealed record Promise(double Error, double Still)
             }
         }
 
-        return new Scene(scene.Name, scene.About, scene.Steps, bodies);
+        return new SceneDescription(scene.Name, scene.About, scene.Steps, bodies);
     }
 }

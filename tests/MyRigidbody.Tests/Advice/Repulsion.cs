@@ -3,7 +3,7 @@ namespace RigidBodyDynamics.Tests;
 /// <summary>A push away from the origin with the distance: what starts beside it flees as e^(√rate t).</summary>
 internal readonly struct Repulsion(double rate) : IPush
 {
-    public PushTraits Traits => PushTraits.Moves | PushTraits.ReadsPosition;
+    public EffectTraits Traits => EffectTraits.Moves | EffectTraits.ReadsPosition;
 
     public void At(in Instant now, in BodyState body, MassProperties mass, ref Wrench wrench) => Over(now, 1, body, mass, ref wrench);
 

@@ -9,7 +9,7 @@ public sealed class StepFreeTests
     [Test]
     public void Factor_a_step_becomes_the_rate_that_leaves_as_much_after_a_step()
     {
-        Scene scene = SceneOf(TimeSteps.Every(0.02, 500), body => body.With(new DecayPerStep(0.98, 0.5), 1, 2));
+        SceneDescription scene = SceneOf(TimeSteps.Every(0.02, 500), body => body.With(new DecayPerStep(0.98, 0.5), 1, 2));
 
         Coasting found = Coasting.Free;
         foreach (Effect effect in StepFree.Of(scene).Bodies[0].Effects)
@@ -27,7 +27,7 @@ public sealed class StepFreeTests
     [TestCase(1 - 1e-15)]
     public void Rate_is_right_for_the_smallest_and_the_mildest_factor(double factor)
     {
-        Scene scene = SceneOf(TimeSteps.Every(1, 2), body => body.With(new DecayPerStep(factor, 1)));
+        SceneDescription scene = SceneOf(TimeSteps.Every(1, 2), body => body.With(new DecayPerStep(factor, 1)));
 
         Coasting found = Coasting.Free;
         foreach (Effect effect in StepFree.Of(scene).Bodies[0].Effects)
@@ -40,7 +40,7 @@ public sealed class StepFreeTests
     [Test]
     public void Bodies_and_all_other_effects_stay_as_they_are_and_the_scene_is_not_touched()
     {
-        Scene scene = SceneOf(TimeSteps.Every(0.02, 500), body => body
+        SceneDescription scene = SceneOf(TimeSteps.Every(0.02, 500), body => body
             .With(new Gravity(new Vector3d(0, -1, 0)))
             .With(new DecayPerStep(0.98, 0.98))
             .With(new Force(new Vector3d(1, 0, 0)), 0, 1));
@@ -58,10 +58,10 @@ public sealed class StepFreeTests
     public void What_has_no_rate_is_refused_by_its_place()
     {
         Vector3d[] kicks = [new(1, 0, 0), new(2, 0, 0)];
-        Scene perStep = SceneOf(TimeSteps.Every(0.1, 2), body => body.With(new Key(LabKey.R)).With(new PerStep(kicks, [])));
-        Scene stop = SceneOf(TimeSteps.Every(0.1, 2), body => body.With(new DecayPerStep(0, 1)));
+        SceneDescription perStep = SceneOf(TimeSteps.Every(0.1, 2), body => body.With(new KeyPush(LabKey.R)).With(new PerStep(kicks, [])));
+        SceneDescription stop = SceneOf(TimeSteps.Every(0.1, 2), body => body.With(new DecayPerStep(0, 1)));
         TimeSteps lengths = TimeSteps.Of([0.1, 0.1, 0.25]);
-        Scene uneven = SceneOf(lengths, body => body.With(new Key(LabKey.R)).With(new DecayPerStep(0.98, 1)));
+        SceneDescription uneven = SceneOf(lengths, body => body.With(new KeyPush(LabKey.R)).With(new DecayPerStep(0.98, 1)));
 
         Assert.That(() => StepFree.Of(perStep), Refused("bodies[0].effects[1]: ", "a force for each of 2 steps"));
         Assert.That(() => StepFree.Of(stop), Refused("bodies[0].effects[0]: ", "v × 0"));
@@ -72,7 +72,7 @@ public sealed class StepFreeTests
     [Test]
     public void Rates_of_factors_are_named_by_their_places()
     {
-        Scene scene = SceneOf(TimeSteps.Every(0.02, 500), body => body.With(new Key(LabKey.R)).With(new DecayPerStep(0.98, 1)));
+        SceneDescription scene = SceneOf(TimeSteps.Every(0.02, 500), body => body.With(new KeyPush(LabKey.R)).With(new DecayPerStep(0.98, 1)));
 
         (string place, double linear, double angular) = StepFree.Rates(scene).Single();
 
@@ -84,6 +84,6 @@ public sealed class StepFreeTests
     private static NUnit.Framework.Constraints.IResolveConstraint Refused(string place, string value) =>
         Throws.InstanceOf<ArgumentOutOfRangeException>().With.Message.StartsWith(place).And.Message.Contains(value);
 
-    private static Scene SceneOf(TimeSteps steps, Func<BodyDescription, BodyDescription> describe) =>
+    private static SceneDescription SceneOf(TimeSteps steps, Func<BodyDescription, BodyDescription> describe) =>
         new("scene", string.Empty, steps, [describe(new BodyDescription("body", Solids.Box(1, new Vector3d(1, 1, 1))))]);
 }

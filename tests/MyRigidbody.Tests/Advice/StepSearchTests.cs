@@ -27,7 +27,7 @@ public sealed class StepSearchTests
     [Test]
     public void Steps_that_meet_the_beginnings_and_ends_of_effects_are_among_them()
     {
-        Scene scene = SceneOf(2, body => body.With(new Force(new Vector3d(1, 0, 0)), 5.0 / 60, 25.0 / 60).With(new Key(LabKey.R), 0.25, 1));
+        SceneDescription scene = SceneOf(2, body => body.With(new Force(new Vector3d(1, 0, 0)), 5.0 / 60, 25.0 / 60).With(new KeyPush(LabKey.R), 0.25, 1));
 
         double[] aligned = [.. StepSizes.Aligned(scene, 2)];
 
@@ -55,7 +55,7 @@ public sealed class StepSearchTests
         {
             Start = new BodyState(Vector3d.Zero, new Quaterniond(0.97, 0.25, 0, 0).Normalized, Vector3d.Zero, new Vector3d(0.1, 0.2, 4)),
         }.With(new HeavyTop(new Vector3d(0, 0, 1), 3, new Vector3d(0, 0, 1)));
-        Scene scene = new("top", string.Empty, TimeSteps.Until(8, 0.02), [top]);
+        SceneDescription scene = new("top", string.Empty, TimeSteps.Until(8, 0.02), [top]);
 
         Trial? longest = new StepSearch(scene, Truth.Of(scene, null, error), error).Longest(Rules.Named(rule), step => false);
 
@@ -67,7 +67,7 @@ public sealed class StepSearchTests
     [Test]
     public void Contest_of_one_has_no_second_and_of_two_is_decided_in_rounds_of_both()
     {
-        Scene scene = SceneOf(2, body => body.With(new Key(LabKey.R)));
+        SceneDescription scene = SceneOf(2, body => body.With(new KeyPush(LabKey.R)));
         Truth truth = Truth.Of(scene);
         Trial exact = Trial.Of(scene, truth, Rules.Exact, 0.1), dear = Trial.Of(scene, truth, Rules.Exact6, 0.001);
 
@@ -99,6 +99,6 @@ public sealed class StepSearchTests
         }
     }
 
-    private static Scene SceneOf(double duration, Func<BodyDescription, BodyDescription> describe) =>
+    private static SceneDescription SceneOf(double duration, Func<BodyDescription, BodyDescription> describe) =>
         new("scene", string.Empty, TimeSteps.Until(duration, 0.02), [describe(new BodyDescription("body", Solids.Sphere(1, 0.5)))]);
 }

@@ -97,7 +97,7 @@ public sealed class TruthTests
     [Test]
     public void Scene_without_end_and_one_of_days_are_refused()
     {
-        Scene endless = new("endless", string.Empty, TimeSteps.Every(0.1), [Ball(BodyState.AtRest)]);
+        SceneDescription endless = new("endless", string.Empty, TimeSteps.Every(0.1), [Ball(BodyState.AtRest)]);
 
         Assert.That(() => Truth.Of(endless), Throws.InstanceOf<ArgumentOutOfRangeException>().With.Message.StartsWith("duration: must be at most"));
         Assert.That(() => Truth.Of(SceneOf(1e6, Ball(BodyState.AtRest))), Throws.InstanceOf<ArgumentOutOfRangeException>().With.Message.Contains("1000000"));
@@ -118,6 +118,6 @@ public sealed class TruthTests
 
     private static BodyDescription Ball(BodyState start) => new("ball", Solids.Sphere(1, 0.5)) { Start = start };
 
-    private static Scene SceneOf(double duration, BodyDescription body) =>
+    private static SceneDescription SceneOf(double duration, BodyDescription body) =>
         new("scene", string.Empty, TimeSteps.Until(duration, Math.Min(0.05, duration)), [body]);
 }

@@ -83,7 +83,7 @@ internal static class Refusals
         .. Vectors("torque[0]", NotFinite, t => new PerStep([], [t])),
         .. Vectors("Force", NotFinite, f => new Hand { Force = f }),
         .. Vectors("Torque", NotFinite, t => new Hand { Torque = t }),
-        Case("key", "99", () => new Key((LabKey)99)),
+        Case("key", "99", () => new KeyPush((LabKey)99)),
         Case("axis length", "0", () => Quaterniond.FromAxisAngle(Vector3d.Zero, 1)),
     ];
 

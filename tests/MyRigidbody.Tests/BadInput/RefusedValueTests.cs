@@ -35,12 +35,12 @@ public sealed class RefusedValueTests
             ("masses", () => PointMasses.Of([Vector3d.Zero], null!)),
             ("part", () => new Compound().With(null!, Vector3d.Zero)),
             ("lengths", () => TimeSteps.Of(null!)),
-            ("scene", () => _ = new Simulation((Scene)null!)),
-            ("steps", () => _ = new Scene("s", "", null!, [new BodyDescription("b", ball)])),
-            ("name", () => _ = new Scene(null!, "", TimeSteps.Every(1), [new BodyDescription("b", ball)])),
-            ("about", () => _ = new Scene("s", null!, TimeSteps.Every(1), [new BodyDescription("b", ball)])),
-            ("bodies", () => _ = new Scene("s", "", TimeSteps.Every(1), null!)),
-            ("bodies[0]", () => _ = new Scene("s", "", TimeSteps.Every(1), [null!])),
+            ("scene", () => _ = new Simulation((SceneDescription)null!)),
+            ("steps", () => _ = new SceneDescription("s", "", null!, [new BodyDescription("b", ball)])),
+            ("name", () => _ = new SceneDescription(null!, "", TimeSteps.Every(1), [new BodyDescription("b", ball)])),
+            ("about", () => _ = new SceneDescription("s", null!, TimeSteps.Every(1), [new BodyDescription("b", ball)])),
+            ("bodies", () => _ = new SceneDescription("s", "", TimeSteps.Every(1), null!)),
+            ("bodies[0]", () => _ = new SceneDescription("s", "", TimeSteps.Every(1), [null!])),
             ("Lab", () => _ = new Simulation(TimeSteps.Every(1), new BodyDescription("b", ball) { Lab = null! })),
             ("Unity", () => _ = new Simulation(TimeSteps.Every(1), new BodyDescription("b", ball) { Unity = null! })),
         ];
@@ -81,7 +81,7 @@ public sealed class RefusedValueTests
     [Test]
     public void Body_keeps_its_effects_and_a_compound_its_parts()
     {
-        BodyDescription body = new BodyDescription("b", Solids.Sphere(1, 1)).With(new Key(LabKey.R));
+        BodyDescription body = new BodyDescription("b", Solids.Sphere(1, 1)).With(new KeyPush(LabKey.R));
         Assert.That(() => body.With(new Force(Vector3d.Zero), 2, 1), Throws.InstanceOf<ArgumentOutOfRangeException>());
         Assert.That(() => body.With(new Gravity(Vector3d.Zero), double.NaN), Throws.InstanceOf<ArgumentOutOfRangeException>());
         Assert.That(body.Effects.Count, Is.EqualTo(1));

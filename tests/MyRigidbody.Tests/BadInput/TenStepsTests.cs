@@ -39,7 +39,7 @@ public sealed class TenStepsTests
         ("no heavy top", body => body.With(default(HeavyTop))),
         ("no spring", body => body.With(default(Spring))),
         ("no torque", body => body.With(default(Torque))),
-        ("no key", body => body.With(default(Key))),
+        ("no key", body => body.With(default(KeyPush))),
         ("no factor", body => body.With(default(DecayPerStep))),
     ];
 

@@ -15,9 +15,9 @@ public sealed class BatchBitsTests
         ["force"] = body => body.With(new Force(new Vector3d(5, 0, -1))).With(new AngularDamping(0.2)),
         ["torque in world axes"] = body => body.With(new Torque(new Vector3d(1, 0, 0), new Vector3d(0, 2, 0), new Vector3d(0, 0, 1), 3, inBody: false)),
         ["torque in body axes"] = body => body.With(new Torque(new Vector3d(1e-3, 0, 0), new Vector3d(0, 2e-3, 0), Vector3d.Zero, 3, inBody: true)).With(new LinearDamping(0.3)),
-        ["keys in windows"] = body => body.With(new Key(LabKey.R), 0.1, 0.7).With(new Key(LabKey.UpArrow), 0.1, 0.3).With(new Gravity(new Vector3d(0, -1, 0)), 0.5),
+        ["keys in windows"] = body => body.With(new KeyPush(LabKey.R), 0.1, 0.7).With(new KeyPush(LabKey.UpArrow), 0.1, 0.3).With(new Gravity(new Vector3d(0, -1, 0)), 0.5),
         ["what reads the state"] = body => body.With(new Spring(new Vector3d(0, 0.5, 0), new Vector3d(0, 3, 0), 4), 0.2, 0.8).With(new QuadraticDrag(1e-4), 0.4),
-        ["all there is"] = body => body.With(new Key(LabKey.R)).With(new PerStep([new Vector3d(1, 2, 3)], [new Vector3d(3, 2, 1)])).With(new DecayPerStep(0.98, 0.97), 0.4, 0.7)
+        ["all there is"] = body => body.With(new KeyPush(LabKey.R)).With(new PerStep([new Vector3d(1, 2, 3)], [new Vector3d(3, 2, 1)])).With(new DecayPerStep(0.98, 0.97), 0.4, 0.7)
             .With(new AngularDamping(0.2), 0.2).With(new Torque(new Vector3d(0.1, 0, 0), new Vector3d(0, 0.2, 0), Vector3d.Zero, 1.5, inBody: true), 0.3, 0.9),
     };
 

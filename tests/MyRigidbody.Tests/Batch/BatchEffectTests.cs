@@ -73,7 +73,7 @@ public sealed class BatchEffectTests
     public void Way_back_does_not_ask_what_the_program_pushed_with_before([Values("Exact", "RungeKutta4", "LabEuler")] string rule, [Values(true, false)] bool byKeys)
     {
         Hand hand = new();
-        Keyboard keyboard = new();
+        LabKeyboard keyboard = new();
         BodyDescription body = new BodyDescription("b", Crowding.Masses.First()) { Rule = Rules.Named(rule) }.With(new AtTime(true, 0.5));
         _ = byKeys ? body.With(new HeldKeys(keyboard)) : body.With(new HeldBy(hand));
         Together batch = new(body, Steps);
@@ -108,7 +108,7 @@ public sealed class BatchEffectTests
     /// <summary>Breaks at a time.</summary>
     private readonly record struct AtTime(bool Throws, double From) : IPush
     {
-        public PushTraits Traits => PushTraits.Turns | PushTraits.ReadsTime;
+        public EffectTraits Traits => EffectTraits.Turns | EffectTraits.ReadsTime;
 
         public void At(in Instant now, in BodyState body, MassProperties mass, ref Wrench wrench) => Over(now, 1, body, mass, ref wrench);
 
@@ -122,7 +122,7 @@ public sealed class BatchEffectTests
     /// <summary>Throws for bodies beyond a height.</summary>
     private readonly record struct AtHeight(double Height) : IPush
     {
-        public PushTraits Traits => PushTraits.Moves | PushTraits.ReadsPosition;
+        public EffectTraits Traits => EffectTraits.Moves | EffectTraits.ReadsPosition;
 
         public void At(in Instant now, in BodyState body, MassProperties mass, ref Wrench wrench) => Over(now, 1, body, mass, ref wrench);
 

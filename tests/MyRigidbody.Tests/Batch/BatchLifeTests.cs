@@ -36,7 +36,7 @@ public sealed class BatchLifeTests
                 case 0 or 1 when alone.Count < 40:
                     BodyDescription one = body.Copy("alone", body.Mass);
                     one.Start = starts[i % starts.Length];
-                    alone.Add(batch.Add(one.Start), (batch.StepsDone, new Simulation(new Scene("alone", "", Steps, [one]), Omissions.Coasting)));
+                    alone.Add(batch.Add(one.Start), (batch.StepsDone, new Simulation(new SceneDescription("alone", "", Steps, [one]), Omissions.Coasting)));
                     break;
                 case 2:
                     int leaving = ids[random.Next(ids.Length)];
@@ -104,7 +104,7 @@ public sealed class BatchLifeTests
         stepped.Add(start);
         waits.Step(1000);
         stepped.Step(1000);
-        Simulation alone = new(new Scene("alone", "", Steps, [Alone(body, start)]), Omissions.None);
+        Simulation alone = new(new SceneDescription("alone", "", Steps, [Alone(body, start)]), Omissions.None);
         alone.Step(1000);
         Crowding.Same(stepped[0], alone.Bodies[0].State, "stepped");
         Assert.That(waits[0], Is.Not.EqualTo(stepped[0]));

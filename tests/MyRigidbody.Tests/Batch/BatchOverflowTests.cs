@@ -227,7 +227,7 @@ public sealed class BatchOverflowTests
     /// <summary>Strikes bodies beyond a height.</summary>
     private readonly record struct Runaway(double Height, double Size) : IPush
     {
-        public PushTraits Traits => PushTraits.Moves | PushTraits.ReadsPosition;
+        public EffectTraits Traits => EffectTraits.Moves | EffectTraits.ReadsPosition;
 
         public void At(in Instant now, in BodyState body, MassProperties mass, ref Wrench wrench) => Over(now, 1, body, mass, ref wrench);
 
@@ -238,7 +238,7 @@ public sealed class BatchOverflowTests
     /// <summary>v' = k v.</summary>
     private readonly record struct Feeding(double Rate) : IPush
     {
-        public PushTraits Traits => PushTraits.Moves | PushTraits.ReadsVelocity;
+        public EffectTraits Traits => EffectTraits.Moves | EffectTraits.ReadsVelocity;
 
         public void At(in Instant now, in BodyState body, MassProperties mass, ref Wrench wrench) =>
             wrench.Force += mass.Mass * Rate * body.Velocity;

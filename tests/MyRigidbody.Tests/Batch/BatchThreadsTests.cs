@@ -75,7 +75,7 @@ public sealed class BatchThreadsTests
         [ThreadStatic]
         private static int _calls;
 
-        public PushTraits Traits => PushTraits.Turns | PushTraits.ReadsTime;
+        public EffectTraits Traits => EffectTraits.Turns | EffectTraits.ReadsTime;
 
         public void At(in Instant now, in BodyState body, MassProperties mass, ref Wrench wrench) => Over(now, 1, body, mass, ref wrench);
 

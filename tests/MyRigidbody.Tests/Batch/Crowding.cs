@@ -53,7 +53,7 @@ internal static class Crowding
         Together batch = new(body, steps) { Threads = threads };
         foreach (BodyState start in starts)
             batch.Add(start);
-        Simulation? alone = starts.Length == 0 ? null : new(new Scene("alone", "", steps, [.. starts.Select(Alone)]), Omissions.Coasting);
+        Simulation? alone = starts.Length == 0 ? null : new(new SceneDescription("alone", "", steps, [.. starts.Select(Alone)]), Omissions.Coasting);
         BodyState[] found = new BodyState[starts.Length];
         foreach (long look in looks)
         {

@@ -10,7 +10,7 @@ internal sealed class Together
     public Together(BodyDescription body, TimeSteps steps, Omissions mayLeaveOut = Omissions.Coasting)
     {
         _like = body.Copy(body.Name, body.Mass);
-        _simulation = new(new Scene("together", "", steps, []), mayLeaveOut);
+        _simulation = new(new SceneDescription("together", "", steps, []), mayLeaveOut);
         // the first of a kind is moved alone
         _simulation.Remove(_simulation.Add(_like));
     }

@@ -15,7 +15,7 @@ public sealed class BenchTests
         {
             Rule = Rules.LabEuler,
             Start = new BodyState(Vector3d.Zero, Quaterniond.Identity, new Vector3d(1, 2, 3), new Vector3d(1, 1.1, 0.9)),
-        }.With(new Gravity(gravity)).With(new DecayPerStep(0.98, 0.98)).With(new Force(force)).With(new Key(LabKey.R));
+        }.With(new Gravity(gravity)).With(new DecayPerStep(0.98, 0.98)).With(new Force(force)).With(new KeyPush(LabKey.R));
         HandWritten byHand = new(cube.Start, cube.Mass, force, gravity, 0.98, 0.02);
         byHand.Step(0, 500);
         Assert.That(byHand.State, Is.EqualTo(Scenery.Run(TimeSteps.Every(0.02), cube, 500)));

@@ -36,7 +36,7 @@ public sealed class CrowdTests
         for (int i = 0; i < 5; i++)
         {
             BodyDescription alone = new BodyDescription("alone", MassProperties.FromPrincipal(1, new Vector3d(1, 2, 2.5)))
-                .With(new Gravity(new Vector3d(0, -9.81, 0))).With(new Key(LabKey.R), 0.2, 0.4);
+                .With(new Gravity(new Vector3d(0, -9.81, 0))).With(new KeyPush(LabKey.R), 0.2, 0.4);
             BodyState middle = new(Vector3d.Zero, Quaterniond.Identity, new Vector3d(1, 0, 0), new Vector3d(0, 1, 0));
             alone.Start = spread.Of(middle, i);
             BodyState end = Scenery.Run(TimeSteps.Every(0.02, 50), alone, 50);

@@ -24,7 +24,7 @@ public sealed class FrameRateTests
     public void At_the_rate_of_the_steps_every_push_comes_once_and_a_step_late()
     {
         BodyDescription body = new("body", Solids.Sphere(1, 1)) { Rule = Rules.UnityRigidbody };
-        body.With(new Key(LabKey.RightArrow), 1, 2);
+        body.With(new KeyPush(LabKey.RightArrow), 1, 2);
 
         FrameRate found = FrameRate.Of(body, Steps, 50);
 
@@ -37,7 +37,7 @@ public sealed class FrameRateTests
     public void Frames_slower_than_steps_leave_steps_without_a_push()
     {
         BodyDescription body = new("body", Solids.Sphere(1, 1)) { Rule = Rules.UnityRigidbody };
-        body.With(new Key(LabKey.RightArrow), 0, 1);
+        body.With(new KeyPush(LabKey.RightArrow), 0, 1);
 
         FrameRate found = FrameRate.Of(body, Steps, 25);
 

@@ -17,13 +17,13 @@ internal static class Scenes
     /// <summary>Bodies as if they came from a file.</summary>
     public static SceneFile FileOf(TimeSteps steps, params BodyDescription[] bodies) => new(
         "scene.json",
-        new Scene("scene", string.Empty, steps, bodies),
+        new SceneDescription("scene", string.Empty, steps, bodies),
         new Dictionary<string, ManyBodies>(),
         new Dictionary<string, MassProperties>(),
         null);
 
     private static BodyDescription Keys(BodyDescription body) => body
-        .With(new Key(LabKey.R), 0, 3)
-        .With(new Key(LabKey.RightArrow), 1, 2)
-        .With(new Key(LabKey.UpArrow), 1.5, 2.5);
+        .With(new KeyPush(LabKey.R), 0, 3)
+        .With(new KeyPush(LabKey.RightArrow), 1, 2)
+        .With(new KeyPush(LabKey.UpArrow), 1.5, 2.5);
 }

@@ -57,7 +57,7 @@ public sealed class SavedBodyTests
 
     private static void Run<TIntegrator>(ref TIntegrator body, int first, int end) where TIntegrator : struct, IIntegrator
     {
-        Both<Key, Spring> push = new(new Key(LabKey.R), new Spring(new Vector3d(0, 0.5, 0), new Vector3d(0, 3, 0), 4));
+        Both<KeyPush, Spring> push = new(new KeyPush(LabKey.R), new Spring(new Vector3d(0, 0.5, 0), new Vector3d(0, 3, 0), 4));
         Coasting coasting = Coasting.Free;
         coasting.Acceleration = new Vector3d(0, -9.81, 0);
         coasting.LinearDampingRate = 0.1;

@@ -135,7 +135,7 @@ public sealed class FreeMotionTests
     public void What_has_no_closed_form_is_refused_by_name()
     {
         BodyDescription Body() => new("b", Solids.Sphere(1, 1));
-        Assert.That(() => new FreeMotion(Body().With(new Key(LabKey.R))), Refuses("effects[0]"));
+        Assert.That(() => new FreeMotion(Body().With(new KeyPush(LabKey.R))), Refuses("effects[0]"));
         Assert.That(() => new FreeMotion(Body().With(new LinearDamping(1)).With(new Gravity(Vector3d.Zero), 0, 1)), Refuses("effects[1]"));
         Assert.That(() => new FreeMotion(Body().With(new Gravity(Vector3d.Zero), 0.5)), Refuses("effects[0]"));
         Assert.That(() => new FreeMotion(Body().With(new DecayPerStep(0.98, 1))), Refuses("effects"));

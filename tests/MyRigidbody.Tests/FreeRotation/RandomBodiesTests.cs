@@ -52,7 +52,7 @@ public sealed class RandomBodiesTests
             Start = new BodyState(
                 Vector3d.Zero, Quaterniond.Identity, Vector3d.Zero, new Vector3d(Cell("w1"), Cell("w2"), Cell("w3"))),
         };
-        Simulation simulation = new(new Scene("random", string.Empty, TimeSteps.Every(0.02), [body]), omissions);
+        Simulation simulation = new(new SceneDescription("random", string.Empty, TimeSteps.Every(0.02), [body]), omissions);
         double worst = 0;
         largest = 0;
         foreach (int time in new[] { 10, 50, 100 })

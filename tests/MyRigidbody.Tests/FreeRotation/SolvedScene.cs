@@ -67,7 +67,7 @@ internal static class SolvedScene
         Action<BodyState, ExactCase.Sample, double> compare,
         Omissions omissions = Omissions.None)
     {
-        Simulation simulation = new(new Scene(integrator, string.Empty, TimeSteps.Every(step), [Body(solved, integrator)]), omissions);
+        Simulation simulation = new(new SceneDescription(integrator, string.Empty, TimeSteps.Every(step), [Body(solved, integrator)]), omissions);
         double floor = 0;
         foreach (ExactCase.Sample sample in solved.Samples)
         {

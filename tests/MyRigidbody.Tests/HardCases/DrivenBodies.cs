@@ -118,7 +118,7 @@ internal static class DrivenBodies
             {
                 Rule = Rules.Named(integrator),
                 Start = new BodyState(from, Quaterniond.Identity, new Vector3d(1, 2, 3), new Vector3d(0.3, 1.1, -0.7)),
-            }.With(new Gravity(new Vector3d(0, -9.81, 0))).With(new Key(LabKey.R));
+            }.With(new Gravity(new Vector3d(0, -9.81, 0))).With(new KeyPush(LabKey.R));
             return Scenery.Run(TimeSteps.Every(0.02), body, 500);
         }
     }

@@ -32,7 +32,7 @@ internal sealed record SolvedRun(double Error, double Floors, double Energy, dou
     {
         ExactCase solved = ExactCase.Read(motion);
         (TimeSteps steps, List<(long At, ExactCase.Sample Sample, double Floor)> stops) = Divide(solved, division);
-        Simulation simulation = new(new Scene(motion, string.Empty, steps, [SolvedScene.Body(solved, integrator)]), omissions);
+        Simulation simulation = new(new SceneDescription(motion, string.Empty, steps, [SolvedScene.Body(solved, integrator)]), omissions);
         Body body = simulation.Bodies[0];
         double largestEnergy = solved.Samples.Max(s => s["kinetic_energy"]), largestMomentum = solved.Samples.Max(s => TrueMomentum(s).Length);
         double error = 0, floors = 0, energy = 0, momentum = 0;

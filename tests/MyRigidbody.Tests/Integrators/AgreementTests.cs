@@ -65,7 +65,7 @@ public sealed class AgreementTests
             .With(new LinearDamping(0.3), 0.5)
             .With(new AngularDamping(0.2))
             .With(new Force(new Vector3d(5, 0, 0)), 0.25, 1)
-            .With(new Key(LabKey.R), 0.5)
+            .With(new KeyPush(LabKey.R), 0.5)
             .With(new Spring(new Vector3d(0, 0.5, 0), new Vector3d(0, 3, 0), 4), 0.75)
             .With(new HeavyTop(new Vector3d(0, 0, 1), 0.4, new Vector3d(0, 1, 0)), 0.25, 1.25)
             .With(new Torque(new Vector3d(0.1, 0, 0), new Vector3d(0, 0.2, 0), new Vector3d(0, 0, 0.3), 1.5, inBody: true))

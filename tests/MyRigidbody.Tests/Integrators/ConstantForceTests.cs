@@ -120,7 +120,7 @@ public sealed class ConstantForceTests
     /// <summary>Hides that a force is constant.</summary>
     private readonly struct Pushed(Force force) : IPush
     {
-        public PushTraits Traits => force.Traits;
+        public EffectTraits Traits => force.Traits;
 
         public void At(in Instant now, in BodyState body, MassProperties mass, ref Wrench wrench) => force.At(now, body, mass, ref wrench);
 

@@ -77,7 +77,7 @@ public sealed class LabDiscreteTests
         {
             double from = key.GetProperty("from").GetDouble(), to = key.GetProperty("to").GetDouble();
             if (key.GetProperty("type").GetString() == "torque")
-                body.With(new Key(LabKey.R), from, to);
+                body.With(new KeyPush(LabKey.R), from, to);
             else
                 body.With(new Force(Vector(key.GetProperty("value"))), from, to);
         }

@@ -10,9 +10,9 @@ public sealed class LabEulerTests
         MassProperties mass = PointMasses.Of(
             [new Vector3d(1, 0, 0.2), new Vector3d(-1, 1, -0.2), new Vector3d(0, -1, 0.5), new Vector3d(0, 0, -0.5)], [1, 1, 1, 1]);
         BodyDescription body = new BodyDescription("b", mass.WithCenterOfMass(Vector3d.Zero)) { Rule = Rules.LabEuler }
-            .With(new Key(LabKey.R))
-            .With(new Key(LabKey.RightArrow))
-            .With(new Key(LabKey.UpArrow), 1, 2)
+            .With(new KeyPush(LabKey.R))
+            .With(new KeyPush(LabKey.RightArrow))
+            .With(new KeyPush(LabKey.UpArrow), 1, 2)
             .With(new Torque(new Vector3d(0.3, 0, 0), Vector3d.Zero, new Vector3d(0, 0.2, -0.5), 2, inBody: false))
             .With(new Gravity(new Vector3d(0, -9.81, 0)))
             .With(new DecayPerStep(0.98, 0.99));

@@ -18,7 +18,7 @@ public sealed class OrderTests
         Quaterniond closedForm = Quaterniond.FromAxisAngle(new Vector3d(1, 1, 1), 6 * Math.Sqrt(3) * (10 - Math.Sin(10)));
         Assert.That(Conserved.AngleBetween(closedForm, end.Orientation), Is.LessThan(5e-14)); // measured 6.5e-15
 
-        AssertOrder(integrator, 10, body => body.With(new Key(LabKey.R)), state => Math.Max(
+        AssertOrder(integrator, 10, body => body.With(new KeyPush(LabKey.R)), state => Math.Max(
             Conserved.AngleBetween(state.Orientation, closedForm), Samples.Apart(state.AngularVelocity, end.AngularVelocity)));
     }
 

@@ -19,8 +19,8 @@ internal sealed record OrderedEffect(string Name, Action<BodyDescription, double
         Coast("angular damping", _ => new AngularDamping(0.3)),
         Coast("decay per step", step => new DecayPerStep(Math.Pow(0.95, step / DecayStep), Math.Pow(0.96, step / DecayStep))),
         Pushing("force", _ => new Force(A)),
-        Pushing("key, force", _ => new Key(LabKey.RightArrow)),
-        Pushing("key, torque", _ => new Key(LabKey.R)),
+        Pushing("key, force", _ => new KeyPush(LabKey.RightArrow)),
+        Pushing("key, torque", _ => new KeyPush(LabKey.R)),
         Pushing("torque, world axes", _ => new Torque(2 * A, Vector3d.Zero, Vector3d.Zero, 0, inBody: false)),
         Pushing("torque, body axes", _ => new Torque(-2 * A, Vector3d.Zero, Vector3d.Zero, 0, inBody: true)),
         Pushing("torque that swings, world axes", _ => new Torque(A, B, C, 1.7, inBody: false)),
@@ -67,7 +67,7 @@ internal sealed record OrderedEffect(string Name, Action<BodyDescription, double
 /// <summary>Torque −c |L| L, which reads ω: where the body is held, L falls to L / (1 + c |L| h).</summary>
 internal readonly struct MomentumDrag(double c) : IPush
 {
-    public PushTraits Traits => PushTraits.Turns | PushTraits.ReadsOrientation | PushTraits.ReadsAngularVelocity;
+    public EffectTraits Traits => EffectTraits.Turns | EffectTraits.ReadsOrientation | EffectTraits.ReadsAngularVelocity;
 
     public void At(in Instant now, in BodyState body, MassProperties mass, ref Wrench wrench)
     {
@@ -89,7 +89,7 @@ internal readonly struct MomentumDrag(double c) : IPush
 /// </summary>
 internal readonly struct Lift(double s) : IPush
 {
-    public PushTraits Traits => PushTraits.Moves | PushTraits.ReadsVelocity | PushTraits.ReadsAngularVelocity;
+    public EffectTraits Traits => EffectTraits.Moves | EffectTraits.ReadsVelocity | EffectTraits.ReadsAngularVelocity;
 
     public void At(in Instant now, in BodyState body, MassProperties mass, ref Wrench wrench) =>
         wrench.Force += s * Vector3d.Cross(body.AngularVelocity, body.Velocity);
@@ -106,7 +106,7 @@ internal readonly struct Lift(double s) : IPush
 /// <summary>A force fixed in the body beside the centre of mass, that pulses.</summary>
 internal readonly struct Thruster(Vector3d force, Vector3d arm) : IPush
 {
-    public PushTraits Traits => PushTraits.Moves | PushTraits.Turns | PushTraits.ReadsOrientation | PushTraits.ReadsTime;
+    public EffectTraits Traits => EffectTraits.Moves | EffectTraits.Turns | EffectTraits.ReadsOrientation | EffectTraits.ReadsTime;
 
     public void At(in Instant now, in BodyState body, MassProperties mass, ref Wrench wrench) =>
         Add(1, 1 + Math.Sin(2 * now.Time), body, ref wrench);
@@ -124,7 +124,7 @@ internal readonly struct Thruster(Vector3d force, Vector3d arm) : IPush
 /// <summary>A spring from the centre of the body's frame to a hook that swings up and down.</summary>
 internal readonly struct MovingHook(double stiffness) : IPush
 {
-    public PushTraits Traits => PushTraits.Moves | PushTraits.ReadsPosition | PushTraits.ReadsTime;
+    public EffectTraits Traits => EffectTraits.Moves | EffectTraits.ReadsPosition | EffectTraits.ReadsTime;
 
     public void At(in Instant now, in BodyState body, MassProperties mass, ref Wrench wrench) =>
         wrench.Force += stiffness * (new Vector3d(0, Math.Sin(3 * now.Time), 0) - body.Position);

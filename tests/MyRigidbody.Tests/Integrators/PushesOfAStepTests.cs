@@ -16,11 +16,11 @@ public sealed class PushesOfAStepTests
     [TestCaseSource(nameof(Rows))]
     public void Page_says_how_often_a_push_is_asked_for(string integrator, int ofPose, int ofVelocity)
     {
-        Assert.That(Asked(PushTraits.ReadsPosition | PushTraits.ReadsTime), Is.EqualTo(ofPose));
-        Assert.That(Asked(PushTraits.ReadsVelocity), Is.EqualTo(ofVelocity));
-        Assert.That(Asked(PushTraits.ReadsAngularVelocity), Is.EqualTo(ofVelocity));
+        Assert.That(Asked(EffectTraits.ReadsPosition | EffectTraits.ReadsTime), Is.EqualTo(ofPose));
+        Assert.That(Asked(EffectTraits.ReadsVelocity), Is.EqualTo(ofVelocity));
+        Assert.That(Asked(EffectTraits.ReadsAngularVelocity), Is.EqualTo(ofVelocity));
 
-        int Asked(PushTraits reads)
+        int Asked(EffectTraits reads)
         {
             int[] count = [0];
             Scenery.Run(TimeSteps.Every(0.1), Scenery.Body(integrator).With(new Counting(reads, count)), 1);
@@ -28,9 +28,9 @@ public sealed class PushesOfAStepTests
         }
     }
 
-    private readonly struct Counting(PushTraits reads, int[] count) : IPush
+    private readonly struct Counting(EffectTraits reads, int[] count) : IPush
     {
-        public PushTraits Traits => PushTraits.Moves | PushTraits.Turns | reads;
+        public EffectTraits Traits => EffectTraits.Moves | EffectTraits.Turns | reads;
 
         public void At(in Instant now, in BodyState body, MassProperties mass, ref Wrench wrench) => count[0]++;
 

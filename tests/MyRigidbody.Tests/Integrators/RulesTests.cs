@@ -25,7 +25,7 @@ public sealed class RulesTests
     [Test]
     public void Rule_of_ones_own_has_the_name_of_its_struct_and_moves_a_crowd_to_the_same_bits()
     {
-        BodyDescription body = Scenery.Body("Exact").With(new Key(LabKey.R));
+        BodyDescription body = Scenery.Body("Exact").With(new KeyPush(LabKey.R));
         body.Rule = Rules.Of<MomentumEuler>();
         Simulation alone = new(TimeSteps.Every(0.02), body);
         alone.Step(50);

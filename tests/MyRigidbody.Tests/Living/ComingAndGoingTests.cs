@@ -135,7 +135,7 @@ public sealed class ComingAndGoingTests
     {
         public static Action? Do;
 
-        public readonly PushTraits Traits => PushTraits.Moves;
+        public readonly EffectTraits Traits => EffectTraits.Moves;
 
         public readonly void At(in Instant now, in BodyState body, MassProperties mass, ref Wrench wrench) => Do!();
 

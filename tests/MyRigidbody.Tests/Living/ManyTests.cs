@@ -17,7 +17,7 @@ public sealed class ManyTests
         new BodyDescription("sprung", Crowding.Masses.ElementAt(5)).With(new Spring(new Vector3d(0, 0.5, 0), new Vector3d(0, 3, 0), 4)),
         new BodyDescription("woken", Crowding.Masses.ElementAt(6)).With(new AngularDamping(0.1)).With(new Force(new Vector3d(1, 0, 0)), 2, 3),
         new BodyDescription("lab", Crowding.Masses.First()) { Rule = Rules.LabEuler }.With(new DecayPerStep(0.98, 0.98)),
-        new BodyDescription("fourth", Crowding.Masses.ElementAt(1)) { Rule = Rules.Named("Exact4") }.With(new Key(LabKey.R), 1, 4),
+        new BodyDescription("fourth", Crowding.Masses.ElementAt(1)) { Rule = Rules.Named("Exact4") }.With(new KeyPush(LabKey.R), 1, 4),
         new BodyDescription("engine", Crowding.Masses.First()) { Rule = Rules.Named("UnityRigidbody") }.With(new Gravity(new Vector3d(0, -1, 0)), 1, 2),
         new BodyDescription("held", Crowding.Masses.ElementAt(5)) { CanMove = false, Rule = Rules.Named("RungeKutta4") },
     ];
@@ -270,7 +270,7 @@ public sealed class ManyTests
     /// <summary>Pushes with no number above half a metre.</summary>
     private readonly struct Breaks : IPush
     {
-        public PushTraits Traits => PushTraits.Moves | PushTraits.ReadsPosition;
+        public EffectTraits Traits => EffectTraits.Moves | EffectTraits.ReadsPosition;
 
         public void At(in Instant now, in BodyState body, MassProperties mass, ref Wrench wrench) => Over(now, 1, body, mass, ref wrench);
 

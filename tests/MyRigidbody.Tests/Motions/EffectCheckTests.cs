@@ -5,7 +5,7 @@ namespace RigidBodyDynamics.Tests;
 /// <summary>An effect that is what it says has no findings; one that is not has the finding that says so, and no other.</summary>
 public sealed class EffectCheckTests
 {
-    private const PushTraits Moves = PushTraits.Moves;
+    private const EffectTraits Moves = EffectTraits.Moves;
     private static readonly Vector3d X = new(1, 0, 0), Y = new(0, 3, 0), Z = new(0.5, -1, 2);
     private static readonly Torque Swinging = new(X, Y, Z, 1.3, inBody: true);
     private static readonly Spring Spring = new(X, Y, 4);
@@ -16,59 +16,59 @@ public sealed class EffectCheckTests
     {
         IReadOnlyList<string> found = EffectCheck.Findings(new Declared(push, push.Traits));
         // what is held changes when the program changes it, and time is what the program does that in
-        string[] expected = push is HeldBy ? [Hint(PushTraits.ReadsTime, "time")] : [];
+        string[] expected = push is HeldBy ? [Hint(EffectTraits.ReadsTime, "time")] : [];
         Assert.That(found, Is.EqualTo(expected));
     }
 
     [Test]
     public void Force_that_is_not_declared_is_found() => Finds(
-        new Own(PushTraits.None, (_, _) => Y),
-        "^Moves is not declared, and there is a force of up to 3 N: add PushTraits.Moves to Traits, or it may be left out.$");
+        new Own(EffectTraits.None, (_, _) => Y),
+        "^Moves is not declared, and there is a force of up to 3 N: add EffectTraits.Moves to Traits, or it may be left out.$");
 
     [Test]
     public void Torque_that_is_not_declared_is_found() => Finds(
-        new Declared(Torque.Constant(Y), PushTraits.None),
-        "^Turns is not declared, and there is a torque of up to 3 N m: add PushTraits.Turns to Traits, or it may be left out.$");
+        new Declared(Torque.Constant(Y), EffectTraits.None),
+        "^Turns is not declared, and there is a torque of up to 3 N m: add EffectTraits.Turns to Traits, or it may be left out.$");
 
-    [TestCase(PushTraits.Moves, "force")]
-    [TestCase(PushTraits.Turns, "torque")]
-    public void What_is_declared_and_never_given_is_hinted_at(PushTraits trait, string what)
+    [TestCase(EffectTraits.Moves, "force")]
+    [TestCase(EffectTraits.Turns, "torque")]
+    public void What_is_declared_and_never_given_is_hinted_at(EffectTraits trait, string what)
     {
-        IPush other = trait == PushTraits.Moves ? Torque.Constant(Y) : new Force(Y);
+        IPush other = trait == EffectTraits.Moves ? Torque.Constant(Y) : new Force(Y);
         Finds(
             new Declared(other, other.Traits | trait),
-            $"^Hint: {trait} is declared, and in 16 trials there was no {what}: take PushTraits.{trait} out of Traits, so that nobody computes it.$");
+            $"^Hint: {trait} is declared, and in 16 trials there was no {what}: take EffectTraits.{trait} out of Traits, so that nobody computes it.$");
     }
 
     private static IEnumerable<TestCaseData> Readers()
     {
-        yield return new TestCaseData(Swinging, PushTraits.ReadsTime, "time");
-        yield return new TestCaseData(Spring, PushTraits.ReadsPosition, "position");
-        yield return new TestCaseData(new HeavyTop(X, 2, Z), PushTraits.ReadsOrientation, "orientation");
-        yield return new TestCaseData(new QuadraticDrag(0.3), PushTraits.ReadsVelocity, "velocity");
-        yield return new TestCaseData(new SpinDrag(0.4, PushTraits.ReadsAngularVelocity), PushTraits.ReadsAngularVelocity, "angular velocity");
+        yield return new TestCaseData(Swinging, EffectTraits.ReadsTime, "time");
+        yield return new TestCaseData(Spring, EffectTraits.ReadsPosition, "position");
+        yield return new TestCaseData(new HeavyTop(X, 2, Z), EffectTraits.ReadsOrientation, "orientation");
+        yield return new TestCaseData(new QuadraticDrag(0.3), EffectTraits.ReadsVelocity, "velocity");
+        yield return new TestCaseData(new SpinDrag(0.4, EffectTraits.ReadsAngularVelocity), EffectTraits.ReadsAngularVelocity, "angular velocity");
     }
 
     [TestCaseSource(nameof(Readers))]
-    public void What_is_read_and_not_declared_is_found(IPush push, PushTraits trait, string what) => Finds(
+    public void What_is_read_and_not_declared_is_found(IPush push, EffectTraits trait, string what) => Finds(
         new Declared(push, push.Traits & ~trait),
-        $"^{trait} is not declared, and there is a change with the {what} alone of up to [0-9.]+ % of the largest push: add PushTraits.{trait} to Traits, or it may be left out.$");
+        $"^{trait} is not declared, and there is a change with the {what} alone of up to [0-9.]+ % of the largest push: add EffectTraits.{trait} to Traits, or it may be left out.$");
 
-    [TestCase(PushTraits.ReadsTime, "time")]
-    [TestCase(PushTraits.ReadsPosition, "position")]
-    [TestCase(PushTraits.ReadsOrientation, "orientation")]
-    [TestCase(PushTraits.ReadsVelocity, "velocity")]
-    [TestCase(PushTraits.ReadsAngularVelocity, "angular velocity")]
-    public void What_is_declared_and_not_read_is_hinted_at(PushTraits trait, string what)
+    [TestCase(EffectTraits.ReadsTime, "time")]
+    [TestCase(EffectTraits.ReadsPosition, "position")]
+    [TestCase(EffectTraits.ReadsOrientation, "orientation")]
+    [TestCase(EffectTraits.ReadsVelocity, "velocity")]
+    [TestCase(EffectTraits.ReadsAngularVelocity, "angular velocity")]
+    public void What_is_declared_and_not_read_is_hinted_at(EffectTraits trait, string what)
     {
-        const PushTraits pose = PushTraits.ReadsPosition | PushTraits.ReadsOrientation;
-        PushTraits potential = (trait & pose) != 0 ? PushTraits.HasPotential : PushTraits.None;
+        const EffectTraits pose = EffectTraits.ReadsPosition | EffectTraits.ReadsOrientation;
+        EffectTraits potential = (trait & pose) != 0 ? EffectTraits.HasPotential : EffectTraits.None;
         Assert.That(EffectCheck.Findings(new Declared(new Force(Y), Moves | potential | trait)), Is.EqualTo(new[] { Hint(trait, what) }));
     }
 
     [Test]
     public void Angular_velocity_follows_the_torque_in_the_integral() => Assert.That(
-        EffectCheck.Findings(new SpinDrag(0.4, PushTraits.ReadsAngularVelocity), Ball, BodyState.AtRest, 0, 1), Is.Empty);
+        EffectCheck.Findings(new SpinDrag(0.4, EffectTraits.ReadsAngularVelocity), Ball, BodyState.AtRest, 0, 1), Is.Empty);
 
     [Test]
     public void Impulse_that_is_not_the_integral_is_of_order_zero() => Finds(
@@ -77,7 +77,7 @@ public sealed class EffectCheckTests
 
     [Test]
     public void Impulse_of_a_push_that_changes_is_of_order_one_if_it_is_duration_times_push() => Finds(
-        new Own(Moves | PushTraits.ReadsTime, (now, _) => Math.Sin(now.Time) * Y),
+        new Own(Moves | EffectTraits.ReadsTime, (now, _) => Math.Sin(now.Time) * Y),
         "^Over is the integral of At to order 1 only: it is off by [0-9.]+ % of the largest push in 0.1 s, and Exact is of order 1 at most; take the push in the middle");
 
     [Test]
@@ -93,7 +93,7 @@ public sealed class EffectCheckTests
     [Test]
     public void Impulse_of_a_push_in_the_middle_of_the_time_is_of_order_two_and_only_hinted_at() => Finds(
         new Own(
-            Moves | PushTraits.ReadsTime,
+            Moves | EffectTraits.ReadsTime,
             (now, _) => Math.Sin(now.Time) * Y,
             (now, h, _) => h * Math.Sin(now.IsHeld ? now.Time : now.Time + h / 2) * Y),
         "^Hint: Over is the integral of At to order 2 only: it is off by 0.0[0-9]+ % of the largest push in 0.1 s, and Exact is of order 2 at most; an exact flow would lift that.$");
@@ -109,7 +109,7 @@ public sealed class EffectCheckTests
     {
         // v' = −v, by a step of Heun's and by the midpoint rule
         Own drag = new(
-            Moves | PushTraits.ReadsVelocity,
+            Moves | EffectTraits.ReadsVelocity,
             (_, body) => -Pushes.Mass.Mass * body.Velocity,
             (_, h, body) => -Pushes.Mass.Mass * (comesBack ? h / (1 + h / 2) : h - h * h / 2) * body.Velocity);
 
@@ -141,7 +141,7 @@ public sealed class EffectCheckTests
 
     [Test]
     public void Friction_that_divides_by_the_speed_is_found_at_rest() => Finds(
-        new Own(Moves | PushTraits.ReadsVelocity, (_, body) => -1 / body.Velocity.Length * body.Velocity),
+        new Own(Moves | EffectTraits.ReadsVelocity, (_, body) => -1 / body.Velocity.Length * body.Velocity),
         @"^At gave force \(NaN, NaN, NaN\) and torque \(0, 0, 0\), which is not finite, at t = [0-9.]+ s, position \(0, 0, 0\), velocity \(0, 0, 0\): let it give a number");
 
     [Test]
@@ -151,43 +151,43 @@ public sealed class EffectCheckTests
 
     [Test]
     public void Whirl_that_declares_a_potential_is_found_by_the_work_around_a_closed_way() => Finds(
-        new Own(Moves | PushTraits.ReadsPosition | PushTraits.HasPotential, (_, body) => Vector3d.Cross(Z, body.Position)),
-        "^HasPotential is declared, and around a closed way the work is [0-9.]+ % of what is done to and fro: take PushTraits.HasPotential out of Traits");
+        new Own(Moves | EffectTraits.ReadsPosition | EffectTraits.HasPotential, (_, body) => Vector3d.Cross(Z, body.Position)),
+        "^HasPotential is declared, and around a closed way the work is [0-9.]+ % of what is done to and fro: take EffectTraits.HasPotential out of Traits");
 
     [Test]
     public void Constant_torque_that_declares_a_potential_is_found_by_the_work_around_a_closed_way_of_turns() => Finds(
-        new Declared(Torque.Constant(Z), PushTraits.Turns | PushTraits.HasPotential),
+        new Declared(Torque.Constant(Z), EffectTraits.Turns | EffectTraits.HasPotential),
         "^HasPotential is declared, and around a closed way the work is [0-9.]+ % of what is done to and fro");
 
     [Test]
     public void Potential_of_time_is_none() => Finds(
-        new Declared(Swinging, Swinging.Traits | PushTraits.HasPotential),
+        new Declared(Swinging, Swinging.Traits | EffectTraits.HasPotential),
         "^HasPotential is declared, and ReadsTime too: a potential knows position and orientation alone");
 
     [Test]
     public void Potential_that_is_not_declared_is_hinted_at() => Finds(
-        new Declared(Spring, Spring.Traits & ~PushTraits.HasPotential),
-        "^Hint: HasPotential is not declared, and around 16 closed ways there was no work: add PushTraits.HasPotential");
+        new Declared(Spring, Spring.Traits & ~EffectTraits.HasPotential),
+        "^Hint: HasPotential is not declared, and around 16 closed ways there was no work: add EffectTraits.HasPotential");
 
     [Test]
     public void Effect_is_tried_where_and_when_one_says()
     {
         BodyState away = BodyState.AtRest;
         away.Position = new Vector3d(70, 0, 0);
-        Own planet = new(Moves | PushTraits.ReadsPosition | PushTraits.HasPotential, (_, body) => -1 / Math.Pow(body.Position.Length, 3) * body.Position);
+        Own planet = new(Moves | EffectTraits.ReadsPosition | EffectTraits.HasPotential, (_, body) => -1 / Math.Pow(body.Position.Length, 3) * body.Position);
         Assert.That(EffectCheck.Findings(planet), Has.One.Matches(@"which is not finite, at t = [0-9.]+ s, position \(0, 0, 0\)"));
         Assert.That(EffectCheck.Findings(planet, Ball, away, 0, 1), Is.Empty);
 
-        Own late = new(Moves | PushTraits.ReadsTime, (now, _) => now.Time < 100 ? Vector3d.Zero : Y);
+        Own late = new(Moves | EffectTraits.ReadsTime, (now, _) => now.Time < 100 ? Vector3d.Zero : Y);
         Assert.That(EffectCheck.Findings(late), Has.One.StartsWith("Hint: Moves is declared"));
-        Assert.That(EffectCheck.Findings(late, Ball, away, 101, 200), Is.EqualTo(new[] { Hint(PushTraits.ReadsTime, "time") }));
+        Assert.That(EffectCheck.Findings(late, Ball, away, 101, 200), Is.EqualTo(new[] { Hint(EffectTraits.ReadsTime, "time") }));
     }
 
     [Test]
     public void Switch_in_the_middle_of_a_time_is_not_held_against_an_impulse_that_is_exact() => Assert.That(
         EffectCheck.Findings(
             new Own(
-                Moves | PushTraits.ReadsTime,
+                Moves | EffectTraits.ReadsTime,
                 (now, _) => now.Time < 5 ? Vector3d.Zero : Y,
                 (now, h, _) => (now.IsHeld ? now.Time < 5 ? 0 : h : Math.Max(now.Time + h, 5) - Math.Max(now.Time, 5)) * Y),
             Ball,
@@ -199,12 +199,12 @@ public sealed class EffectCheckTests
     [Test]
     public void Findings_are_the_same_whenever_they_are_asked_for()
     {
-        Own whirl = new(PushTraits.HasPotential, (now, body) => Math.Sin(now.Time) * body.Velocity);
+        Own whirl = new(EffectTraits.HasPotential, (now, body) => Math.Sin(now.Time) * body.Velocity);
         Assert.That(EffectCheck.Findings(whirl), Is.EqualTo(EffectCheck.Findings(whirl)).And.Count.GreaterThan(3));
     }
 
-    private static string Hint(PushTraits trait, string what) =>
-        $"Hint: {trait} is declared, and in 16 trials there was no change with the {what} alone: take PushTraits.{trait} out of Traits, so that nobody computes it.";
+    private static string Hint(EffectTraits trait, string what) =>
+        $"Hint: {trait} is declared, and in 16 trials there was no change with the {what} alone: take EffectTraits.{trait} out of Traits, so that nobody computes it.";
 
     private static void Finds<TPush>(TPush push, string sentence) where TPush : struct, IPush
     {

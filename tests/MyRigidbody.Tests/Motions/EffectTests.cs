@@ -23,8 +23,8 @@ public sealed class EffectTests
     [TestCase(LabKey.DownArrow, 0, -5)]
     public void Arrow_pushes_with_five_newton(LabKey key, double x, double y)
     {
-        Assert.That(Pushes.At(new Key(key), Pushes.Now, Pushes.State), Is.EqualTo(new Wrench { Force = new Vector3d(x, y, 0) }));
-        Wrench impulse = Pushes.Over(new Key(key), Pushes.Now, 2, Pushes.State);
+        Assert.That(Pushes.At(new KeyPush(key), Pushes.Now, Pushes.State), Is.EqualTo(new Wrench { Force = new Vector3d(x, y, 0) }));
+        Wrench impulse = Pushes.Over(new KeyPush(key), Pushes.Now, 2, Pushes.State);
         Assert.That(impulse, Is.EqualTo(new Wrench { Force = new Vector3d(2 * x, 2 * y, 0) }));
     }
 
@@ -34,8 +34,8 @@ public sealed class EffectTests
     public void Key_R_turns_with_the_sine_of_the_time_on_every_world_axis(double t)
     {
         double sin = Math.Sin(t), integral = Math.Cos(t) - Math.Cos(t + 0.5);
-        Wrench now = Pushes.At(new Key(LabKey.R), new Instant(0, t), Pushes.State);
-        Wrench later = Pushes.Over(new Key(LabKey.R), new Instant(0, t), 0.5, Pushes.State);
+        Wrench now = Pushes.At(new KeyPush(LabKey.R), new Instant(0, t), Pushes.State);
+        Wrench later = Pushes.Over(new KeyPush(LabKey.R), new Instant(0, t), 0.5, Pushes.State);
         Assert.That(Apart(now.Torque, new Vector3d(sin, sin, sin)), Is.LessThan(3e-16)); // measured 0
         Assert.That(Apart(later.Torque, new Vector3d(integral, integral, integral)), Is.LessThan(5e-16)); // measured 5.6e-17
     }
@@ -63,9 +63,9 @@ public sealed class EffectTests
     [Test]
     public void Lists_without_entries_declare_nothing()
     {
-        Assert.That(new PerStep([], []).Traits, Is.EqualTo(PushTraits.None));
-        Assert.That(new PerStep(Kicks, []).Traits, Is.EqualTo(PushTraits.Moves | PushTraits.ReadsTime));
-        Assert.That(new PerStep([], Kicks).Traits, Is.EqualTo(PushTraits.Turns | PushTraits.ReadsTime));
+        Assert.That(new PerStep([], []).Traits, Is.EqualTo(EffectTraits.None));
+        Assert.That(new PerStep(Kicks, []).Traits, Is.EqualTo(EffectTraits.Moves | EffectTraits.ReadsTime));
+        Assert.That(new PerStep([], Kicks).Traits, Is.EqualTo(EffectTraits.Turns | EffectTraits.ReadsTime));
     }
 
     [Test]
@@ -88,8 +88,8 @@ public sealed class EffectTests
         QuadraticDrag drag = new(0.5);
         IPush[] with = [default(Nothing), new Both<Both<Nothing, Force>, Spring>(new(default, force), spring), new Many([force, spring])];
         IPush[] without = [new Both<Force, QuadraticDrag>(force, drag), new Both<QuadraticDrag, Force>(drag, force), new Many([drag, spring])];
-        Assert.That(with.Select(sum => (sum.Traits & PushTraits.HasPotential) != 0), Is.All.True);
-        Assert.That(without.Select(sum => (sum.Traits & PushTraits.HasPotential) != 0), Is.All.False);
+        Assert.That(with.Select(sum => (sum.Traits & EffectTraits.HasPotential) != 0), Is.All.True);
+        Assert.That(without.Select(sum => (sum.Traits & EffectTraits.HasPotential) != 0), Is.All.False);
     }
 
     [Test]
@@ -102,7 +102,7 @@ public sealed class EffectTests
         IPush[] sums = [new Both<Both<Force, Spring>, QuadraticDrag>(two, drag), new Many([force, spring, drag])];
         foreach (IPush sum in sums)
         {
-            Assert.That(sum.Traits, Is.EqualTo((force.Traits | spring.Traits | drag.Traits) & ~PushTraits.HasPotential));
+            Assert.That(sum.Traits, Is.EqualTo((force.Traits | spring.Traits | drag.Traits) & ~EffectTraits.HasPotential));
             Wrench expected = default;
             Wrench impulse = default;
             foreach (IPush part in new IPush[] { force, spring, drag })
@@ -120,7 +120,7 @@ public sealed class EffectTests
     {
         Vector3d x = new(1, 0, 0), y = new(0, 3, 0), ones = new(1, 1, 1);
         yield return new TestCaseData(new Force(new Vector3d(1, -2, 0.5)), "force (1, -2, 0.5) N");
-        yield return new TestCaseData(new Key(LabKey.UpArrow), "key UpArrow");
+        yield return new TestCaseData(new KeyPush(LabKey.UpArrow), "key UpArrow");
         yield return new TestCaseData(new QuadraticDrag(0.25), "drag 0.25 abs(v) v N");
         yield return new TestCaseData(new Spring(x, y, 4.5), "spring 4.5 N/m from (1, 0, 0) to (0, 3, 0)");
         yield return new TestCaseData(new Thrust(y, x), "thrust (0, 3, 0) N at (1, 0, 0) m, body axes");

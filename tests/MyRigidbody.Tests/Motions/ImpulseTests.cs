@@ -76,7 +76,7 @@ public sealed class ImpulseTests
     {
         const int panels = 64;
         Wrench sum = default;
-        bool followsVelocity = (push.Traits & PushTraits.ReadsVelocity) != 0;
+        bool followsVelocity = (push.Traits & EffectTraits.ReadsVelocity) != 0;
         for (int i = 0; i < panels; i++)
         {
             Instant start = Pushes.Now.Later(h * i / panels);

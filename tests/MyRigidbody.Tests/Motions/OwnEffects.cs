@@ -1,9 +1,9 @@
 namespace RigidBodyDynamics.Tests;
 
 /// <summary>An effect that declares something else than it should.</summary>
-internal readonly struct Declared(IPush push, PushTraits traits) : IPush
+internal readonly struct Declared(IPush push, EffectTraits traits) : IPush
 {
-    public PushTraits Traits => traits;
+    public EffectTraits Traits => traits;
 
     public void At(in Instant now, in BodyState body, MassProperties mass, ref Wrench wrench) =>
         push.At(now, body, mass, ref wrench);
@@ -13,13 +13,13 @@ internal readonly struct Declared(IPush push, PushTraits traits) : IPush
 }
 
 /// <summary>A force of time and state; without a flow of its own it gives duration × force.</summary>
-internal readonly struct Own(PushTraits traits, Own.Field force, Own.Flow? flow = null) : IPush
+internal readonly struct Own(EffectTraits traits, Own.Field force, Own.Flow? flow = null) : IPush
 {
     public delegate Vector3d Field(Instant now, BodyState body);
 
     public delegate Vector3d Flow(Instant now, double duration, BodyState body);
 
-    public PushTraits Traits => traits;
+    public EffectTraits Traits => traits;
 
     public void At(in Instant now, in BodyState body, MassProperties mass, ref Wrench wrench) => wrench.Force += force(now, body);
 
@@ -32,7 +32,7 @@ internal readonly struct Overwriting(bool at, bool over) : IPush
 {
     private static readonly Vector3d Push = new(0, 3, 0);
 
-    public PushTraits Traits => PushTraits.Moves | PushTraits.HasPotential;
+    public EffectTraits Traits => EffectTraits.Moves | EffectTraits.HasPotential;
 
     public void At(in Instant now, in BodyState body, MassProperties mass, ref Wrench wrench) =>
         wrench.Force = at ? Push : wrench.Force + Push;
@@ -44,7 +44,7 @@ internal readonly struct Overwriting(bool at, bool over) : IPush
 /// <summary>Drag that does not look at what other effects have made of the velocity.</summary>
 internal readonly struct DeafDrag : IPush
 {
-    public PushTraits Traits => PushTraits.Moves | PushTraits.ReadsVelocity;
+    public EffectTraits Traits => EffectTraits.Moves | EffectTraits.ReadsVelocity;
 
     public void At(in Instant now, in BodyState body, MassProperties mass, ref Wrench wrench) =>
         new QuadraticDrag(0.3).At(now, body, mass, ref wrench);
@@ -60,7 +60,7 @@ internal readonly struct DeafDrag : IPush
 /// <summary>Air that holds up a body by its velocity as it should, and its turning without a look at what came in.</summary>
 internal readonly struct HalfDeafDrag : IPush
 {
-    public PushTraits Traits => PushTraits.Moves | PushTraits.Turns | PushTraits.ReadsVelocity | PushTraits.ReadsAngularVelocity;
+    public EffectTraits Traits => EffectTraits.Moves | EffectTraits.Turns | EffectTraits.ReadsVelocity | EffectTraits.ReadsAngularVelocity;
 
     public void At(in Instant now, in BodyState body, MassProperties mass, ref Wrench wrench)
     {
@@ -78,7 +78,7 @@ internal readonly struct HalfDeafDrag : IPush
 /// <summary>A torque that lets time pass where it should stand still.</summary>
 internal readonly struct Restless(Torque torque) : IPush
 {
-    public PushTraits Traits => torque.Traits;
+    public EffectTraits Traits => torque.Traits;
 
     public void At(in Instant now, in BodyState body, MassProperties mass, ref Wrench wrench) =>
         torque.At(now, body, mass, ref wrench);
@@ -92,7 +92,7 @@ internal struct Growing : IPush
 {
     private int _asked;
 
-    public readonly PushTraits Traits => PushTraits.Moves;
+    public readonly EffectTraits Traits => EffectTraits.Moves;
 
     public void At(in Instant now, in BodyState body, MassProperties mass, ref Wrench wrench) =>
         wrench.Force += new Vector3d(++_asked, 0, 0);
@@ -102,9 +102,9 @@ internal struct Growing : IPush
 }
 
 /// <summary>Torque −c ω on a body of equal moments I: ω falls by e^(−c h/I).</summary>
-internal readonly struct SpinDrag(double c, PushTraits reads) : IPush
+internal readonly struct SpinDrag(double c, EffectTraits reads) : IPush
 {
-    public PushTraits Traits => PushTraits.Turns | reads;
+    public EffectTraits Traits => EffectTraits.Turns | reads;
 
     public void At(in Instant now, in BodyState body, MassProperties mass, ref Wrench wrench) =>
         wrench.Torque -= c * body.AngularVelocity;

@@ -46,7 +46,7 @@ internal static class Pushes
         yield return Case("nothing", default(Nothing));
         yield return Case("force", force);
         foreach (LabKey key in Enum.GetValues<LabKey>())
-            yield return Case("key " + key, new Key(key));
+            yield return Case("key " + key, new KeyPush(key));
         yield return Case("constant torque", Torque.Constant(a));
         yield return Case("swinging torque, body axes", swinging);
         yield return Case("swinging torque, world axes", new Torque(a, b, c, -0.4, inBody: false));
@@ -58,7 +58,7 @@ internal static class Pushes
         yield return Case("forces per step", new PerStep(Kicks, []));
         yield return Case("torques per step", new PerStep([], Kicks));
         yield return Case("hand", new HeldBy(new Hand { Force = a, Torque = b }));
-        yield return Case("keys held", new HeldKeys(new Keyboard { [LabKey.UpArrow] = true, [LabKey.R] = true }));
+        yield return Case("keys held", new HeldKeys(new LabKeyboard { [LabKey.UpArrow] = true, [LabKey.R] = true }));
         yield return Case("sum of two", new Both<Force, Torque>(force, swinging));
         yield return Case("sum of many", new Many([force, swinging, new Spring(a, b, 4)]));
 

@@ -62,9 +62,9 @@ public sealed class TorqueTests
     [Test]
     public void Constant_torque_declares_that_it_needs_no_clock()
     {
-        Assert.That(Torque.Constant(Steady).Traits, Is.EqualTo(PushTraits.Turns));
-        Assert.That(new Torque(Steady, Vector3d.Zero, Vector3d.Zero, 3, true).Traits, Is.EqualTo(PushTraits.Turns));
-        Assert.That(new Torque(Steady, SinePart, Vector3d.Zero, 3, true).Traits, Is.EqualTo(PushTraits.Turns | PushTraits.ReadsTime));
+        Assert.That(Torque.Constant(Steady).Traits, Is.EqualTo(EffectTraits.Turns));
+        Assert.That(new Torque(Steady, Vector3d.Zero, Vector3d.Zero, 3, true).Traits, Is.EqualTo(EffectTraits.Turns));
+        Assert.That(new Torque(Steady, SinePart, Vector3d.Zero, 3, true).Traits, Is.EqualTo(EffectTraits.Turns | EffectTraits.ReadsTime));
     }
 
     [Test]

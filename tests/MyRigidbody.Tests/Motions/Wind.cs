@@ -15,7 +15,7 @@ public readonly struct Wind : IPush
         _gust = Guard.Finite(gust, nameof(gust));
     }
 
-    public PushTraits Traits => PushTraits.Moves | PushTraits.ReadsTime | PushTraits.ReadsVelocity | PushTraits.IsDrag;
+    public EffectTraits Traits => EffectTraits.Moves | EffectTraits.ReadsTime | EffectTraits.ReadsVelocity | EffectTraits.IsDrag;
 
     public void At(in Instant now, in BodyState body, MassProperties mass, ref Wrench wrench)
     {

@@ -50,8 +50,8 @@ public sealed partial class WordsTests
     public void What_plans_say_is_there_in_Chinese()
     {
         List<string> left = [];
-        IEnumerable<Scene> gallery = Scenes.Select(path => SceneReader.Read(path).Scene);
-        IEnumerable<Scene> others = Scenery.Integrators.Select(name => new Scene(name, string.Empty, TimeSteps.Every(0.02, 100), [Scenery.Body(name), Scenery.Busy(name, "busy").With(new QuadraticDrag(0.1)).With(new HeldBy(new Hand())).With(new Thrust(Vector3d.Zero, Vector3d.Zero))]));
+        IEnumerable<SceneDescription> gallery = Scenes.Select(path => SceneReader.Read(path).Scene);
+        IEnumerable<SceneDescription> others = Scenery.Integrators.Select(name => new SceneDescription(name, string.Empty, TimeSteps.Every(0.02, 100), [Scenery.Body(name), Scenery.Busy(name, "busy").With(new QuadraticDrag(0.1)).With(new HeldBy(new Hand())).With(new Thrust(Vector3d.Zero, Vector3d.Zero))]));
         foreach (BodyPlan plan in gallery.Concat(others).SelectMany(scene => new Simulation(scene).Bodies).Select(body => body.Plan))
         {
             Explanation explanation = new(plan);

@@ -88,7 +88,7 @@ public sealed class EffectsPageTests
             .Except([typeof(Nothing), typeof(Leap), typeof(Both<,>), typeof(Many), typeof(Loaded)])
             .Select(type => $"`{type.Name}`");
         string[] closed = [.. typeof(ICoast).Assembly.GetTypes().Where(type => type.IsValueType && typeof(ICoast).IsAssignableFrom(type)).Select(type => $"`{type.Name}`")];
-        Dictionary<string, PushTraits> traits = Pushes.All().Select(test => (IPush)test.Arguments[0]!)
+        Dictionary<string, EffectTraits> traits = Pushes.All().Select(test => (IPush)test.Arguments[0]!)
             .GroupBy(push => $"`{push.GetType().Name}`")
             .ToDictionary(group => group.Key, group => group.Select(push => push.Traits).Aggregate((a, b) => a | b));
 
@@ -97,7 +97,7 @@ public sealed class EffectsPageTests
         Assert.That(rows.Select(cells => cells[5]), Is.EqualTo(rows.Select(cells => closed.Contains(cells[2]) ? "closed form" : "kick")));
         Assert.That(rows.Select(cells => cells[6]), Is.EqualTo(rows.Select(cells => Reads(traits.GetValueOrDefault(cells[2])))));
 
-        static string Reads(PushTraits traits) => string.Join(", ", Enum.GetValues<PushTraits>()
+        static string Reads(EffectTraits traits) => string.Join(", ", Enum.GetValues<EffectTraits>()
             .Where(trait => trait != 0 && traits.HasFlag(trait) && $"{trait}".StartsWith("Reads", StringComparison.Ordinal))
             .Select(trait => $"{trait}"["Reads".Length..].ToLowerInvariant()));
     }

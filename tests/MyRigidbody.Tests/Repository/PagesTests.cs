@@ -13,7 +13,7 @@ public sealed class PagesTests
         using TemporaryFolder folder = new();
         File.WriteAllLines(folder.File("thrown.json"), PageText.Block("docs/scenes.md", "<!-- scene -->"));
         SceneFile file = SceneReader.ReadWithCrowds(folder.File("thrown.json"));
-        Scene scene = file.Scene;
+        SceneDescription scene = file.Scene;
 
         Assert.That(scene.Steps.Count, Is.EqualTo(250));
         Assert.That(scene.Bodies.Select(body => body.Name), Is.EqualTo(new[] { "box", "ball" }));

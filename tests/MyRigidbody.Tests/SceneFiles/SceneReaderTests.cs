@@ -12,7 +12,7 @@ public sealed class SceneReaderTests
     public void Every_name_of_the_format_arrives()
     {
         SceneFile file = SceneText.Read(SceneText.Everything);
-        Scene scene = file.Scene;
+        SceneDescription scene = file.Scene;
         BodyDescription a = scene.Bodies[0], b = scene.Bodies[1], e = scene.Bodies[4];
 
         Assert.That(scene.Name, Is.EqualTo("all"));
@@ -32,7 +32,7 @@ public sealed class SceneReaderTests
             a.Effects.Select(effect => effect.Motion.GetType().Name).Take(13),
             Is.EqualTo(new[]
             {
-                "Gravity", "Force", "Key", "Torque", "LinearDamping", "AngularDamping", "QuadraticDrag", "DecayPerStep", "DecayPerStep",
+                "Gravity", "Force", "KeyPush", "Torque", "LinearDamping", "AngularDamping", "QuadraticDrag", "DecayPerStep", "DecayPerStep",
                 "Thrust", "Spring", "HeavyTop", "PerStep",
             }));
         Assert.That(a.Effects[0].To, Is.EqualTo(0.25));
@@ -52,10 +52,10 @@ public sealed class SceneReaderTests
     [Test]
     public void Effects_act_as_they_are_written()
     {
-        Scene scene = SceneText.Read(SceneText.Everything).Scene;
+        SceneDescription scene = SceneText.Read(SceneText.Everything).Scene;
         Wrench wrench = default;
         BodyDescription a = scene.Bodies[0];
-        foreach (IPush push in a.Effects.Select(effect => effect.Motion).OfType<IPush>().Where(push => push is Force or Key or Torque))
+        foreach (IPush push in a.Effects.Select(effect => effect.Motion).OfType<IPush>().Where(push => push is Force or KeyPush or Torque))
         {
             push.At(new Instant(0, 0.5), BodyState.AtRest, a.Mass, ref wrench);
         }

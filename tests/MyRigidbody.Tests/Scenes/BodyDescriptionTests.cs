@@ -42,7 +42,7 @@ public sealed class BodyDescriptionTests
     public void Effects_can_be_taken_away_and_given_to_another_body()
     {
         BodyDescription body = new BodyDescription("b", Mass)
-            .With(new Key(LabKey.R)).With(new QuadraticDrag(1)).With(new Gravity(new Vector3d(0, -1, 0)));
+            .With(new KeyPush(LabKey.R)).With(new QuadraticDrag(1)).With(new Gravity(new Vector3d(0, -1, 0)));
         BodyDescription other = new("other", Mass);
         foreach (Effect effect in body.Effects)
             other.With(effect);
@@ -62,7 +62,7 @@ public sealed class BodyDescriptionTests
             CanTurn = false,
             Lab = new LabSettings { Normalise = false, UnitRotation = true },
             Unity = new UnitySettings { Drag = 3, GyroscopicForces = true },
-        }.With(new Key(LabKey.R));
+        }.With(new KeyPush(LabKey.R));
         MassProperties other = Solids.Sphere(2, 2);
         BodyDescription copy = body.Copy("copy", other);
         Assert.That((copy.Name, copy.Mass, copy.Rule.Name, copy.Start), Is.EqualTo(("copy", other, "UnityRigidbody", Pushes.State)));

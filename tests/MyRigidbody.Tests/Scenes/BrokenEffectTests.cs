@@ -41,7 +41,7 @@ public sealed class BrokenEffectTests
         Simulation Built(double bad) => new(
             TimeSteps.Every(0.02),
             Scenery.Busy(integrator, "a"),
-            Scenery.Body(integrator, "b").With(new Gravity(new Vector3d(0, -9.81, 0))).With(new Gust(Fails, bad)).With(new Key(LabKey.R)),
+            Scenery.Body(integrator, "b").With(new Gravity(new Vector3d(0, -9.81, 0))).With(new Gust(Fails, bad)).With(new KeyPush(LabKey.R)),
             Scenery.Busy("LabEuler", "c"),
             Scenery.Body("RungeKutta4", "d"),
             Scenery.Body("Exact", "e"));
@@ -105,7 +105,7 @@ public sealed class BrokenEffectTests
     /// <summary>Pushes soundly until a step.</summary>
     private readonly record struct Gust(long Fails, double Bad) : IPush
     {
-        public PushTraits Traits => PushTraits.Moves | PushTraits.ReadsTime;
+        public EffectTraits Traits => EffectTraits.Moves | EffectTraits.ReadsTime;
 
         public void At(in Instant now, in BodyState body, MassProperties mass, ref Wrench wrench) => Over(now, 1, body, mass, ref wrench);
 
@@ -117,7 +117,7 @@ public sealed class BrokenEffectTests
 
     private readonly record struct Strike(long Fails) : IPush
     {
-        public PushTraits Traits => PushTraits.Moves | PushTraits.ReadsTime;
+        public EffectTraits Traits => EffectTraits.Moves | EffectTraits.ReadsTime;
 
         public void At(in Instant now, in BodyState body, MassProperties mass, ref Wrench wrench) => Over(now, 1, body, mass, ref wrench);
 

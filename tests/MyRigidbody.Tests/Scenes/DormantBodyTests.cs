@@ -66,13 +66,13 @@ public sealed class DormantBodyTests
     [TestCaseSource(typeof(Scenery), nameof(Scenery.Integrators))]
     public void What_a_body_never_does_is_left_out_and_nothing_else_changes(string integrator)
     {
-        BodyDescription Falls() => At(integrator, new Vector3d(1, 2, 3), Vector3d.Zero).With(new Gravity(new Vector3d(0, -9.81, 0))).With(new Key(LabKey.RightArrow), 1, 2);
-        BodyDescription Turns() => At(integrator, Vector3d.Zero, new Vector3d(0.3, 1.1, -0.7)).With(new Key(LabKey.R), 1, 2);
+        BodyDescription Falls() => At(integrator, new Vector3d(1, 2, 3), Vector3d.Zero).With(new Gravity(new Vector3d(0, -9.81, 0))).With(new KeyPush(LabKey.RightArrow), 1, 2);
+        BodyDescription Turns() => At(integrator, Vector3d.Zero, new Vector3d(0.3, 1.1, -0.7)).With(new KeyPush(LabKey.R), 1, 2);
         BodyDescription Lies() => At(integrator, Vector3d.Zero, Vector3d.Zero);
         foreach ((Func<BodyDescription> body, Omissions expected) in new (Func<BodyDescription>, Omissions)[]
             { (Falls, Omissions.Rotation), (Turns, Omissions.Translation), (Lies, Omissions.Rotation | Omissions.Translation) })
         {
-            Simulation less = new(new Scene("less", string.Empty, TimeSteps.Every(0.02), [body()]), Omissions.Rotation | Omissions.Translation);
+            Simulation less = new(new SceneDescription("less", string.Empty, TimeSteps.Every(0.02), [body()]), Omissions.Rotation | Omissions.Translation);
             Simulation all = Scenery.Stepped(TimeSteps.Every(0.02), body());
             Assert.That(less.Bodies[0].Plan.LeftOut, Is.EqualTo(expected));
             Assert.That(all.Bodies[0].Plan.LeftOut, Is.EqualTo(Omissions.None));
@@ -92,7 +92,7 @@ public sealed class DormantBodyTests
     [TestCase("Exact6")]
     public void Body_at_rest_sleeps_until_something_wakes_it(string integrator)
     {
-        Simulation simulation = new(TimeSteps.Every(0.02), At(integrator, Vector3d.Zero, Vector3d.Zero).With(new Key(LabKey.RightArrow), 1, 2));
+        Simulation simulation = new(TimeSteps.Every(0.02), At(integrator, Vector3d.Zero, Vector3d.Zero).With(new KeyPush(LabKey.RightArrow), 1, 2));
         // its rotation alone is left out for ever: it will be pushed, so it may move
         Assert.That(simulation.Bodies[0].Plan.LeftOut, Is.EqualTo(Omissions.Rotation));
         simulation.Step(50);
@@ -108,7 +108,7 @@ public sealed class DormantBodyTests
     public void Unity_s_body_is_not_stepped_while_it_sleeps()
     {
         TimeSteps steps = TimeSteps.Every(0.02);
-        BodyDescription Body() => At("UnityRigidbody", new Vector3d(0.01, 0, 0), Vector3d.Zero).With(new Key(LabKey.RightArrow), 3, 3.1);
+        BodyDescription Body() => At("UnityRigidbody", new Vector3d(0.01, 0, 0), Vector3d.Zero).With(new KeyPush(LabKey.RightArrow), 3, 3.1);
         Simulation simulation = new(steps, Body()), all = Scenery.Stepped(steps, Body());
         int dormant = 0;
         for (int n = 0; n < 400; n++)
@@ -132,7 +132,7 @@ public sealed class DormantBodyTests
         {
             double from = random.NextDouble() * 10;
             return At(i % 3 == 0 ? "LabEuler" : "Exact", Vector3d.Zero, new Vector3d(0, 0, i % 5), "body " + i)
-                .With(new Key(LabKey.UpArrow), from, from + 0.1 + random.NextDouble());
+                .With(new KeyPush(LabKey.UpArrow), from, from + 0.1 + random.NextDouble());
         })];
         TimeSteps steps = TimeSteps.Every(0.02);
         Simulation together = new(steps, bodies), inPieces = new(steps, bodies);
@@ -162,7 +162,7 @@ public sealed class DormantBodyTests
             .With(new Gravity(new Vector3d(0, -9.81, 0)), 0, 9)
             .With(new LinearDamping(0.3), 2)
             .With(new AngularDamping(0.02), 2)
-            .With(new Key(LabKey.UpArrow), 4, 4.5);
+            .With(new KeyPush(LabKey.UpArrow), 4, 4.5);
     }
 
     private static BodyDescription At(string integrator, Vector3d velocity, Vector3d spin, string name = "body")

@@ -23,7 +23,7 @@ public sealed class ExplanationTests
         BodyDescription body = Top("Exact", new Vector3d(1, 2, 3))
             .With(new Gravity(new Vector3d(0, -9.81, 0)))
             .With(new LinearDamping(0.3), 1)
-            .With(new Key(LabKey.R), 1, 2);
+            .With(new KeyPush(LabKey.R), 1, 2);
         BodyPlan plan = new Simulation(TimeSteps.Every(0.02), body).Bodies[0].Plan;
         Explanation explanation = new(plan);
         const string Falls = "gravity (0, -9.81, 0) m/s² (closed form)", Turns = "free rotation of a body with three different moments (exact)";
@@ -47,7 +47,7 @@ public sealed class ExplanationTests
                 body.Start = new BodyState(Vector3d.Zero, Quaterniond.Identity, canMove ? spin : Vector3d.Zero, canTurn ? spin : Vector3d.Zero);
                 (body.CanMove, body.CanTurn) = (canMove, canTurn);
                 if (isPushed)
-                    body.With(new Key(LabKey.R));
+                    body.With(new KeyPush(LabKey.R));
 
                 Body built = new Simulation(TimeSteps.Every(0.02), body).Bodies[0];
                 Assert.That(new Explanation(built.Plan).Coasts(built.Plan.Stretches[0]), Is.EqualTo(built.IsDormant), $"{spin} {isPushed} {canMove} {canTurn}");
@@ -70,7 +70,7 @@ public sealed class ExplanationTests
             Assert.That(explanation.LeftOut, Has.Count.GreaterThanOrEqualTo(3));
             foreach (Omission omission in explanation.LeftOut)
             {
-                Simulation with = new(new Scene("with", string.Empty, plan.Steps, [omission.With]), omission.MayLeaveOut);
+                Simulation with = new(new SceneDescription("with", string.Empty, plan.Steps, [omission.With]), omission.MayLeaveOut);
                 with.Step(10);
                 Assert.That(with.Bodies[0].State.IsFinite, omission.What);
                 Assert.That(new Explanation(with.Bodies[0].Plan).LeftOut.Select(other => other.What), Does.Not.Contain(omission.What));
@@ -105,9 +105,9 @@ public sealed class ExplanationTests
         Assert.That(LeftOut(body), Is.EqualTo(new[] { "steps that nobody looks at", "gravity", "damping", "drag", "forces and torques" }));
         Assert.That(LeftOut(Copy().With(new Wind(0.1, new Vector3d(1, 0, 0), Vector3d.Zero))), Is.EqualTo(new[] { "gravity", "damping" }));
         Assert.That(LeftOut(Copy().With(new Force(new Vector3d(1, 0, 0)))), Does.Contain("gravity"));
-        foreach ((PushTraits trait, string what) in new[] { (PushTraits.IsGravity, "gravity"), (PushTraits.IsDamping, "damping"), (PushTraits.IsDrag, "drag") })
+        foreach ((EffectTraits trait, string what) in new[] { (EffectTraits.IsGravity, "gravity"), (EffectTraits.IsDamping, "damping"), (EffectTraits.IsDrag, "drag") })
         {
-            Declared mine = new(new Force(new Vector3d(1, 0, 0)), PushTraits.Moves | trait);
+            Declared mine = new(new Force(new Vector3d(1, 0, 0)), EffectTraits.Moves | trait);
             Assert.That(LeftOut(Copy().With(mine)), Does.Not.Contain(what).And.Count.EqualTo(2), what);
         }
 
@@ -126,7 +126,7 @@ public sealed class ExplanationTests
     /// <summary>Swings with ω = 5 rad/s about the origin.</summary>
     private readonly struct Pendulum : IPush, ISwing
     {
-        public PushTraits Traits => PushTraits.Moves | PushTraits.ReadsPosition;
+        public EffectTraits Traits => EffectTraits.Moves | EffectTraits.ReadsPosition;
 
         public void At(in Instant now, in BodyState body, MassProperties mass, ref Wrench wrench) => wrench.Force -= 25 * mass.Mass * body.Position;
 

@@ -16,7 +16,7 @@ public sealed class FirstStepTests
         ["at the start"] = (0, body => body),
         ["while the body is stepped"] = (50, body => body.With(new Force(new Vector3d(1, 0, 0)))),
         ["while the body coasts"] = (50, body => body.With(new Gravity(new Vector3d(0, -9.81, 0)))),
-        ["where the body begins to coast, and damped"] = (50, body => body.With(new Key(LabKey.R), 0, 30 * Step).With(new LinearDamping(0.1))),
+        ["where the body begins to coast, and damped"] = (50, body => body.With(new KeyPush(LabKey.R), 0, 30 * Step).With(new LinearDamping(0.1))),
         ["while the body lies"] = (50, body => AtRest(body)),
     };
 
@@ -113,7 +113,7 @@ public sealed class FirstStepTests
 
     private readonly record struct Breaking(Way? Way) : IPush
     {
-        public PushTraits Traits => PushTraits.Moves | PushTraits.Turns | PushTraits.ReadsTime;
+        public EffectTraits Traits => EffectTraits.Moves | EffectTraits.Turns | EffectTraits.ReadsTime;
 
         public void At(in Instant now, in BodyState body, MassProperties mass, ref Wrench wrench) => Over(now, 1, body, mass, ref wrench);
 
@@ -131,7 +131,7 @@ public sealed class FirstStepTests
 
     private readonly struct Idle : IPush
     {
-        public PushTraits Traits => PushTraits.ReadsTime;
+        public EffectTraits Traits => EffectTraits.ReadsTime;
 
         public void At(in Instant now, in BodyState body, MassProperties mass, ref Wrench wrench) => throw new NotSupportedException();
 

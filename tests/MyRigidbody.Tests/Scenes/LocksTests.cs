@@ -256,7 +256,7 @@ public sealed class LocksTests
     /// <summary>−L, so that ω falls as exp(−t) whatever the moments.</summary>
     private readonly struct Brake : IPush
     {
-        public PushTraits Traits => PushTraits.Turns | PushTraits.ReadsAngularVelocity | PushTraits.ReadsOrientation;
+        public EffectTraits Traits => EffectTraits.Turns | EffectTraits.ReadsAngularVelocity | EffectTraits.ReadsOrientation;
 
         public void At(in Instant now, in BodyState body, MassProperties mass, ref Wrench wrench) =>
             wrench.Torque -= Conserved.AngularMomentum(body, mass);

@@ -136,7 +136,7 @@ public sealed class MisuseTests
     /// <summary>Does what an effect must not do.</summary>
     private readonly struct Calling(Holder holder) : IPush
     {
-        public PushTraits Traits => PushTraits.Moves;
+        public EffectTraits Traits => EffectTraits.Moves;
 
         public void At(in Instant now, in BodyState body, MassProperties mass, ref Wrench wrench) => holder.Call();
 

@@ -10,7 +10,7 @@ public sealed class SavedSimulationTests
     {
         foreach (TimeSteps steps in Scenery.Divisions())
         {
-            Simulation simulation = new(steps, Scenery.Busy(integrator, "a"), Scenery.Body(integrator, "b").With(new Key(LabKey.R), 0.5, 0.9));
+            Simulation simulation = new(steps, Scenery.Busy(integrator, "a"), Scenery.Body(integrator, "b").With(new KeyPush(LabKey.R), 0.5, 0.9));
             List<SavedSimulation> saved = [];
             List<BodyState[]> seen = [];
             for (long n = 0; n <= Scenery.Steps; n++)

@@ -39,8 +39,8 @@ internal static class Scenery
             .With(new AngularDamping(0.2))
             .With(new DecayPerStep(0.98, 0.97), 0.4, 0.7)
             .With(new Force(new Vector3d(5, 0, 0)), 0.05, 0.9)
-            .With(new Key(LabKey.R), 0.2)
-            .With(new Key(LabKey.UpArrow), 0.2, 0.5)
+            .With(new KeyPush(LabKey.R), 0.2)
+            .With(new KeyPush(LabKey.UpArrow), 0.2, 0.5)
             .With(new QuadraticDrag(0.05))
             .With(new Spring(new Vector3d(0, 0.5, 0), new Vector3d(0, 3, 0), 4), 0.3)
             .With(new HeavyTop(new Vector3d(0, 0, 1), 0.4, new Vector3d(0, 1, 0)), 0.3, 1.2)
@@ -50,7 +50,7 @@ internal static class Scenery
 
     /// <summary>A simulation that takes every step, also of bodies that coast.</summary>
     public static Simulation Stepped(TimeSteps steps, params BodyDescription[] bodies) =>
-        new(new Scene("stepped", string.Empty, steps, bodies), Omissions.None);
+        new(new SceneDescription("stepped", string.Empty, steps, bodies), Omissions.None);
 
     public static BodyState Run(TimeSteps steps, BodyDescription body, long count)
     {

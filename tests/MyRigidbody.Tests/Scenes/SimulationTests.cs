@@ -66,7 +66,7 @@ public sealed class SimulationTests
     public void Bodies_say_what_they_are()
     {
         BodyDescription description = Scenery.Body("UnityRigidbody", "box");
-        Scene scene = new("name", "about", TimeSteps.Every(1), [description]);
+        SceneDescription scene = new("name", "about", TimeSteps.Every(1), [description]);
         Simulation simulation = new(scene);
         Body body = simulation.Bodies[0];
         Assert.That((body.Name, body.Rule.Name, body.Mass, body.IsAsleep), Is.EqualTo(("box", "UnityRigidbody", description.Mass, false)));
@@ -144,8 +144,8 @@ public sealed class SimulationTests
         BodyDescription body = Scenery.Body(integrator);
         return new BodyDescription("body", Solids.Box(1, new Vector3d(1, 2, 3))) { Rule = body.Rule, Unity = body.Unity }
             .With(new Gravity(new Vector3d(0, -9.81, 0)))
-            .With(new Key(LabKey.R))
-            .With(new Key(LabKey.RightArrow))
+            .With(new KeyPush(LabKey.R))
+            .With(new KeyPush(LabKey.RightArrow))
             .With(new LinearDamping(0.1))
             .With(new AngularDamping(0.1));
     }

@@ -17,8 +17,8 @@ public sealed class StateOverflowTests
         ["a torque in world axes"] = (body => body.With(Torque.Constant(new Vector3d(0, 1e300, 0)), 40 * Step), "effects[0] (torque ("),
         ["a torque in body axes"] = (body => body.With(new Torque(new Vector3d(0, 0, 1e300), Vector3d.Zero, Vector3d.Zero, 0, inBody: true), 40 * Step), "effects[0] (torque ("),
         ["gravity"] = (body => body.With(new Gravity(new Vector3d(0, -1e300, 0)), 40 * Step), "effects[0] (gravity"),
-        ["gravity and a push"] = (body => body.With(new Gravity(new Vector3d(0, -1e300, 0)), 40 * Step).With(new Key(LabKey.R), 60 * Step), "effects[0] (gravity"),
-        ["a push and gravity"] = (body => body.With(new Key(LabKey.R), 0, 30 * Step).With(new Gravity(new Vector3d(0, -1e300, 0)), 40 * Step), "effects[1] (gravity"),
+        ["gravity and a push"] = (body => body.With(new Gravity(new Vector3d(0, -1e300, 0)), 40 * Step).With(new KeyPush(LabKey.R), 60 * Step), "effects[0] (gravity"),
+        ["a push and gravity"] = (body => body.With(new KeyPush(LabKey.R), 0, 30 * Step).With(new Gravity(new Vector3d(0, -1e300, 0)), 40 * Step), "effects[1] (gravity"),
     };
 
     private static IEnumerable<object[]> Cases =>
@@ -86,7 +86,7 @@ public sealed class StateOverflowTests
     public void Body_that_is_lost_before_its_effect_begins_leaves_the_others_where_they_are()
     {
         // it has not been looked at since it began to coast, and is long lost when the torque wakes it
-        BodyDescription lost = Scenery.Body("Exact", "lost").With(new Gravity(new Vector3d(1e300, 0, 0)), 0.5).With(new Key(LabKey.R), 200);
+        BodyDescription lost = Scenery.Body("Exact", "lost").With(new Gravity(new Vector3d(1e300, 0, 0)), 0.5).With(new KeyPush(LabKey.R), 200);
         Simulation simulation = new(TimeSteps.Every(1), lost, Scenery.Busy("LabEuler", "other"));
         simulation.Step(100);
         BodyState before = simulation.Bodies[1].State;
@@ -127,7 +127,7 @@ public sealed class StateOverflowTests
     /// <summary>The faster the body, the harder it pushes.</summary>
     private readonly struct Feeding : IPush
     {
-        public PushTraits Traits => PushTraits.Moves | PushTraits.Turns | PushTraits.ReadsVelocity;
+        public EffectTraits Traits => EffectTraits.Moves | EffectTraits.Turns | EffectTraits.ReadsVelocity;
 
         public void At(in Instant now, in BodyState body, MassProperties mass, ref Wrench wrench)
         {

@@ -85,15 +85,15 @@ public sealed class WindowTests
         TimeSteps steps = TimeSteps.Every(1.0 / 60, 90);
         IPush[] pushes =
         [
-            new Key(LabKey.UpArrow), Swing, new Key(LabKey.R), new QuadraticDrag(0.05), new Key(LabKey.LeftArrow),
+            new KeyPush(LabKey.UpArrow), Swing, new KeyPush(LabKey.R), new QuadraticDrag(0.05), new KeyPush(LabKey.LeftArrow),
             new Spring(new Vector3d(0, 0.5, 0), new Vector3d(0, 3, 0), 4), new HeavyTop(new Vector3d(0, 0, 1), 0.4, new Vector3d(0, 1, 0)),
-            new Key(LabKey.RightArrow), new PerStep([new Vector3d(1, 2, 3)], []), Torque.Constant(new Vector3d(0.01, 0, 0)),
+            new KeyPush(LabKey.RightArrow), new PerStep([new Vector3d(1, 2, 3)], []), Torque.Constant(new Vector3d(0.01, 0, 0)),
         ];
         BodyDescription apart = Scenery.Body(integrator)
-            .With(new Key(LabKey.UpArrow)).With(Swing).With(new Key(LabKey.R)).With(new QuadraticDrag(0.05)).With(new Key(LabKey.LeftArrow))
+            .With(new KeyPush(LabKey.UpArrow)).With(Swing).With(new KeyPush(LabKey.R)).With(new QuadraticDrag(0.05)).With(new KeyPush(LabKey.LeftArrow))
             .With(new Spring(new Vector3d(0, 0.5, 0), new Vector3d(0, 3, 0), 4))
             .With(new HeavyTop(new Vector3d(0, 0, 1), 0.4, new Vector3d(0, 1, 0)))
-            .With(new Key(LabKey.RightArrow)).With(new PerStep([new Vector3d(1, 2, 3)], []))
+            .With(new KeyPush(LabKey.RightArrow)).With(new PerStep([new Vector3d(1, 2, 3)], []))
             .With(Torque.Constant(new Vector3d(0.01, 0, 0)));
         BodyState sum = Scenery.Run(steps, Scenery.Body(integrator).With(new Many(pushes)), 90);
         Assert.That(Scenery.Run(steps, apart, 90), Is.EqualTo(sum));

@@ -54,7 +54,7 @@ namespace RigidBodyDynamics.Scripts
         [Tooltip("The Rigidbody that this body is compared with; may be empty.\n与之比较的 Rigidbody，可为空。")]
         public DefaultRigidbody comparedWith;
 
-        private readonly Keyboard _keyboard = new Keyboard();
+        private readonly LabKeyboard _keyboard = new LabKeyboard();
         private Simulation _simulation;
         private Vector3 _startPosition;
         private Quaternion _startRotation;
@@ -77,7 +77,7 @@ namespace RigidBodyDynamics.Scripts
         internal double StepLength => ToUnity.Meant(_stepLength);
 
         /// <summary>The keys that were held in the last step.</summary>
-        public Keyboard Keyboard => _keyboard;
+        public LabKeyboard Keyboard => _keyboard;
 
         /// <summary>The simulation, to save and restore it.</summary>
         internal Simulation Simulation => _simulation;

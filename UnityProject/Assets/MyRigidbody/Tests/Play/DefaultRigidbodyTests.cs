@@ -49,7 +49,7 @@ namespace RigidBodyDynamics.Scripts.Tests.Play
         {
             yield return new WaitForFixedUpdate();
             DefaultRigidbody body = MakeDefault(set);
-            Keyboard keyboard = new Keyboard();
+            LabKeyboard keyboard = new LabKeyboard();
             BodyDescription expected = new BodyDescription("cube", mass) { Rule = Rules.UnityRigidbody, Unity = unity };
             Simulation library = new Simulation(TimeSteps.Every(StepLength), expected.With(new HeldKeys(keyboard)));
             for (int step = 0; step < 200; step++)

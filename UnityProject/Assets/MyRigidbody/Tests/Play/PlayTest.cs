@@ -77,7 +77,7 @@ namespace RigidBodyDynamics.Scripts.Tests.Play
         }
 
         /// <summary>Holds the keys of a step for the library.</summary>
-        protected static void HoldKeys(Keyboard keyboard, int step)
+        protected static void HoldKeys(LabKeyboard keyboard, int step)
         {
             for (LabKey key = LabKey.LeftArrow; key <= LabKey.R; key++)
                 keyboard[key] = Holds(key, step);

@@ -91,7 +91,7 @@ namespace RigidBodyDynamics.Scripts.Tests.Play
             Simulation library = new Simulation(TimeSteps.Every(StepLength));
             library.Step(50);
             Body same = library.Add(new BodyDescription("cube", PointMasses.BoxVertices(1, new Vector3d(1, 1, 1))) { Start = here }
-                .With(new HeldKeys(new Keyboard { [LabKey.R] = true })));
+                .With(new HeldKeys(new LabKeyboard { [LabKey.R] = true })));
             library.Step();
             Assert.That(Numbers(body.State), Is.EqualTo(Numbers(same.State)));
             Assert.That(body.Body.Rule.Name, Is.EqualTo("Exact"));

@@ -19,7 +19,7 @@ namespace RigidBodyDynamics.Scripts.Tests.Play
         public void Five_hundred_steps_with_keys_are_those_of_the_library_to_the_bit(string integrator)
         {
             MyRigidbody body = MakeStill(b => Set(b, integrator), Put);
-            Keyboard keyboard = new Keyboard();
+            LabKeyboard keyboard = new LabKeyboard();
             Simulation library = Library(integrator, keyboard);
             Assert.That(Numbers(body.State), Is.EqualTo(Numbers(library.Bodies[0].State)));
 
@@ -56,7 +56,7 @@ namespace RigidBodyDynamics.Scripts.Tests.Play
         {
             yield return new WaitForFixedUpdate();
             MyRigidbody body = Make<MyRigidbody>(b => Set(b, "LabEuler"), Put);
-            Simulation library = Library("LabEuler", new Keyboard());
+            Simulation library = Library("LabEuler", new LabKeyboard());
             for (int step = 0; step < 10; step++)
             {
                 yield return new WaitForFixedUpdate();
@@ -81,7 +81,7 @@ namespace RigidBodyDynamics.Scripts.Tests.Play
         }
 
         // written out once more, so that the component is not compared with itself
-        private static Simulation Library(string integrator, Keyboard keyboard)
+        private static Simulation Library(string integrator, LabKeyboard keyboard)
         {
             BodyDescription body = new BodyDescription("box", PointMasses.BoxVertices(1.5, new Vector3d(1, 2, 3)))
             {

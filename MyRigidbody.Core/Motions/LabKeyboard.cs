@@ -1,7 +1,7 @@
 namespace RigidBodyDynamics
 {
     /// <summary>Which of the lab's keys a program finds held, set between steps. Keep it to change it.</summary>
-    public sealed class Keyboard
+    public sealed class LabKeyboard
     {
         private readonly bool[] _held = new bool[HeldKeys.Count];
 
@@ -18,17 +18,17 @@ namespace RigidBodyDynamics
             key >= 0 && (int)key < HeldKeys.Count ? (int)key : throw Guard.Refused(nameof(key), key, "must be one of the lab's keys");
     }
 
-    /// <summary>The effect of a <see cref="Keyboard"/>: <c>body.With(new HeldKeys(keyboard))</c>.</summary>
+    /// <summary>The effect of a <see cref="LabKeyboard"/>: <c>body.With(new HeldKeys(keyboard))</c>.</summary>
     public readonly struct HeldKeys : IInput
     {
         internal const int Count = (int)LabKey.R + 1;
-        private static readonly Key[] Keys = MakeKeys();
-        private readonly Keyboard _keyboard;
+        private static readonly KeyPush[] Keys = MakeKeys();
+        private readonly LabKeyboard _keyboard;
 
         /// <summary>The effect of the keys that are held.</summary>
-        public HeldKeys(Keyboard keyboard) => _keyboard = Guard.NotNull(keyboard, nameof(keyboard));
+        public HeldKeys(LabKeyboard keyboard) => _keyboard = Guard.NotNull(keyboard, nameof(keyboard));
 
-        public PushTraits Traits => PushTraits.Moves | PushTraits.Turns | PushTraits.ReadsTime;
+        public EffectTraits Traits => EffectTraits.Moves | EffectTraits.Turns | EffectTraits.ReadsTime;
 
         public void At(in Instant now, in BodyState body, MassProperties mass, ref Wrench wrench)
         {
@@ -52,11 +52,11 @@ namespace RigidBodyDynamics
         /// <summary>In words.</summary>
         public override string ToString() => "keys held on the keyboard";
 
-        private static Key[] MakeKeys()
+        private static KeyPush[] MakeKeys()
         {
-            Key[] keys = new Key[Count];
+            KeyPush[] keys = new KeyPush[Count];
             for (int key = 0; key < Count; key++)
-                keys[key] = new Key((LabKey)key);
+                keys[key] = new KeyPush((LabKey)key);
 
             return keys;
         }

@@ -3,10 +3,10 @@ using System.Collections.Generic;
 namespace RigidBodyDynamics
 {
     /// <summary>Bodies and the time in which they move.</summary>
-    public sealed class Scene
+    public sealed class SceneDescription
     {
         /// <summary>A scene.</summary>
-        public Scene(string name, string about, TimeSteps steps, IReadOnlyList<BodyDescription> bodies)
+        public SceneDescription(string name, string about, TimeSteps steps, IReadOnlyList<BodyDescription> bodies)
         {
             Name = Guard.NotNull(name, nameof(name));
             About = Guard.NotNull(about, nameof(about));

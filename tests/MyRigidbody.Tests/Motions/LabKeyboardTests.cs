@@ -3,7 +3,7 @@ using NUnit.Framework;
 namespace RigidBodyDynamics.Tests;
 
 /// <summary>Keys that a player holds are the keys that a scene file names.</summary>
-public sealed class KeyboardTests
+public sealed class LabKeyboardTests
 {
     private const double Step = 0.02;
     // R to the end: where nothing turns a body any more, the exact rules take a shorter way, and round otherwise
@@ -12,11 +12,11 @@ public sealed class KeyboardTests
     [TestCaseSource(nameof(RuleNames))]
     public void Keys_held_while_a_scene_would_press_them_move_the_body_to_the_same_bits(string rule)
     {
-        Keyboard keyboard = new();
+        LabKeyboard keyboard = new();
         Simulation typed = new(TimeSteps.Every(Step), Body(rule).With(new HeldKeys(keyboard)));
         BodyDescription scripted = Body(rule);
         foreach ((LabKey key, int from, int to) in Pressed)
-            scripted.With(new Key(key), from * Step, to * Step);
+            scripted.With(new KeyPush(key), from * Step, to * Step);
         Simulation written = new(TimeSteps.Every(Step), scripted);
 
         for (int step = 0; step < 200; step++)
@@ -32,7 +32,7 @@ public sealed class KeyboardTests
     [Test]
     public void Arrow_held_for_a_second_gives_five_newton_seconds()
     {
-        Keyboard keyboard = new() { [LabKey.LeftArrow] = true };
+        LabKeyboard keyboard = new() { [LabKey.LeftArrow] = true };
         Simulation simulation = new(TimeSteps.Every(Step), Body("Exact").With(new HeldKeys(keyboard)));
         simulation.Step(50);
 
@@ -44,7 +44,7 @@ public sealed class KeyboardTests
     [Test]
     public void Keyboard_that_nobody_touches_moves_nothing()
     {
-        Simulation simulation = new(TimeSteps.Every(Step), Body("LabEuler").With(new HeldKeys(new Keyboard())));
+        Simulation simulation = new(TimeSteps.Every(Step), Body("LabEuler").With(new HeldKeys(new LabKeyboard())));
         simulation.Step(100);
 
         Assert.That(simulation.Bodies[0].State, Is.EqualTo(BodyState.AtRest).Using<BodyState>(HasSameBits));
@@ -53,7 +53,7 @@ public sealed class KeyboardTests
     [TestCase(-1)]
     [TestCase(5)]
     public void Key_that_the_lab_does_not_have_is_refused(int key) => Assert.That(
-        () => new Keyboard()[(LabKey)key] = true, Throws.InstanceOf<ArgumentOutOfRangeException>().With.Message.Contains("found " + key));
+        () => new LabKeyboard()[(LabKey)key] = true, Throws.InstanceOf<ArgumentOutOfRangeException>().With.Message.Contains("found " + key));
 
     private static IEnumerable<string> RuleNames() => Rules.All.Select(rule => rule.Name);
 

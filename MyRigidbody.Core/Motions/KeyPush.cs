@@ -20,7 +20,7 @@ namespace RigidBodyDynamics
     }
 
     /// <summary>A key of the lab that is held down.</summary>
-    public readonly struct Key : IPush
+    public readonly struct KeyPush : IPush
     {
         private const double Push = 5;
         private static readonly Vector3d Ones = new Vector3d(1, 1, 1);
@@ -29,7 +29,7 @@ namespace RigidBodyDynamics
         private readonly Torque _torque;
 
         /// <summary>The effect of a key.</summary>
-        public Key(LabKey key)
+        public KeyPush(LabKey key)
         {
             _key = key;
             _force = Vector3d.Zero;
@@ -45,7 +45,7 @@ namespace RigidBodyDynamics
             }
         }
 
-        public PushTraits Traits => _key == LabKey.R ? _torque.Traits : PushTraits.Moves | PushTraits.HasPotential;
+        public EffectTraits Traits => _key == LabKey.R ? _torque.Traits : EffectTraits.Moves | EffectTraits.HasPotential;
 
         public void At(in Instant now, in BodyState body, MassProperties mass, ref Wrench wrench)
         {

@@ -3,28 +3,28 @@ using NUnit.Framework;
 namespace RigidBodyDynamics.Tests;
 
 /// <summary>What a push says of itself is true: an integrator may leave out what is not declared.</summary>
-public sealed class PushTraitsTests
+public sealed class EffectTraitsTests
 {
-    private static readonly PushTraits[] Reads =
+    private static readonly EffectTraits[] Reads =
     [
-        PushTraits.ReadsTime,
-        PushTraits.ReadsPosition,
-        PushTraits.ReadsOrientation,
-        PushTraits.ReadsVelocity,
-        PushTraits.ReadsAngularVelocity,
+        EffectTraits.ReadsTime,
+        EffectTraits.ReadsPosition,
+        EffectTraits.ReadsOrientation,
+        EffectTraits.ReadsVelocity,
+        EffectTraits.ReadsAngularVelocity,
     ];
 
     [TestCaseSource(typeof(Pushes), nameof(Pushes.All))]
     public void Push_depends_on_nothing_that_it_does_not_declare(IPush push)
     {
-        foreach (PushTraits read in Reads.Where(r => (push.Traits & r) == 0))
+        foreach (EffectTraits read in Reads.Where(r => (push.Traits & r) == 0))
             Assert.That(Changes(push, read), Is.False, read.ToString());
     }
 
     [TestCaseSource(typeof(Pushes), nameof(Pushes.All))]
     public void Push_depends_on_all_that_it_declares(IPush push)
     {
-        foreach (PushTraits read in Reads.Where(r => (push.Traits & r) != 0))
+        foreach (EffectTraits read in Reads.Where(r => (push.Traits & r) != 0))
             Assert.That(Changes(push, read), Is.True, read.ToString());
     }
 
@@ -33,25 +33,25 @@ public sealed class PushTraitsTests
     {
         foreach (Wrench wrench in new[] { Pushes.At(push, Pushes.Now, Pushes.State), Pushes.Over(push, Pushes.Now, 0.1, Pushes.State) })
         {
-            Assert.That(!wrench.Force.IsZero, Is.EqualTo((push.Traits & PushTraits.Moves) != 0));
-            Assert.That(!(wrench.Torque.IsZero && wrench.BodyTorque.IsZero), Is.EqualTo((push.Traits & PushTraits.Turns) != 0));
+            Assert.That(!wrench.Force.IsZero, Is.EqualTo((push.Traits & EffectTraits.Moves) != 0));
+            Assert.That(!(wrench.Torque.IsZero && wrench.BodyTorque.IsZero), Is.EqualTo((push.Traits & EffectTraits.Turns) != 0));
         }
     }
 
     // true if another time, position, ... gives another push
-    private static bool Changes(IPush push, PushTraits read)
+    private static bool Changes(IPush push, EffectTraits read)
     {
         Instant now = Pushes.Now;
         BodyState state = Pushes.State;
         switch (read)
         {
-            case PushTraits.ReadsTime when push is HeldBy:
+            case EffectTraits.ReadsTime when push is HeldBy:
                 // what is held changes with time, not with the number of the step
                 return ChangesWithTheHand();
-            case PushTraits.ReadsTime: now = new Instant(2, 1.9); break;
-            case PushTraits.ReadsPosition: state.Position += new Vector3d(0.3, -2, 1); break;
-            case PushTraits.ReadsOrientation: state.Orientation = new Quaterniond(0.1, 0.7, 0.7, -0.1); break;
-            case PushTraits.ReadsVelocity: state.Velocity += new Vector3d(0.3, -2, 1); break;
+            case EffectTraits.ReadsTime: now = new Instant(2, 1.9); break;
+            case EffectTraits.ReadsPosition: state.Position += new Vector3d(0.3, -2, 1); break;
+            case EffectTraits.ReadsOrientation: state.Orientation = new Quaterniond(0.1, 0.7, 0.7, -0.1); break;
+            case EffectTraits.ReadsVelocity: state.Velocity += new Vector3d(0.3, -2, 1); break;
             default: state.AngularVelocity += new Vector3d(0.3, -2, 1); break;
         }
 
