@@ -2,7 +2,7 @@ namespace RigidBodyDynamics
 {
     /// <summary>Homogeneous solids about their centre, axes along the body axes. Lengths in m, masses in kg.</summary>
     /// <remarks>Moments as in any table, for instance Goldstein, Classical Mechanics, chapter 5.</remarks>
-    public static class Solids
+    public static partial class Solids
     {
         /// <summary>A box with the given full edges: I_x = m (b² + c²) / 12. What Unity gives a box collider.</summary>
         public static MassProperties Box(double mass, Vector3d edges)
