@@ -9,8 +9,8 @@ namespace RigidBodyDynamics
     /// They are looked at after every 64th step, after so many in one call, and when they are read; so it may be a later call that
     /// finds one lost. The body and the step are named all the same. For that each is kept once more, as it was at most 1024 steps
     /// before, and effects are asked again about those steps: they are functions of time and state. What a program changes between
-    /// steps is a push on a body, or belongs into a <see cref="Hand"/> or a <see cref="LabKeyboard"/>; with one of these, all are
-    /// looked at and kept in every call.
+    /// steps is a push on a body, or belongs into a <see cref="LabKeyboard"/>; with one of these, all are looked at and kept in
+    /// every call.
     /// </remarks>
     internal sealed partial class Batch
     {

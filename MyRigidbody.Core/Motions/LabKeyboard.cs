@@ -61,4 +61,7 @@ namespace RigidBodyDynamics
             return keys;
         }
     }
+
+    /// <summary>A push that a program may change between one call and the next.</summary>
+    internal interface IInput : IPush { }
 }

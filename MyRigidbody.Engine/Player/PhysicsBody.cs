@@ -12,7 +12,6 @@ namespace RigidBodyDynamics.Engine
         // what PhysX gives a body that has just been woken, s
         private const double Awake = 0.4f;
 
-        private readonly Hand _hand = new Hand();
         private UnityRigidbody<ToSingle> _rule;
         private bool _hasBegun, _isChanged = true;
         private double _wakeCounter = Awake;
@@ -104,9 +103,7 @@ namespace RigidBodyDynamics.Engine
 
             Coasting coasting = Coasting.Free;
             coasting.Acceleration = gravity.Exact();
-            _hand.Force = (_force + _impulse * (1 / step)).Exact();
-            _hand.Torque = _torque.Exact();
-            HeldBy push = new HeldBy(_hand);
+            Pushed push = new Pushed((_force + _impulse * (1 / step)).Exact(), _torque.Exact());
             _rule.Prepare(step, coasting);
             _rule.Step(default(Instant), ref push);
             _force = _torque = _impulse = Vector3.zero;
@@ -118,6 +115,28 @@ namespace RigidBodyDynamics.Engine
             AngularVelocity = now.AngularVelocity.Rounded();
             IsAsleep = _rule.IsAsleep;
             _wakeCounter = _rule.WakeCounter;
+        }
+
+        /// <summary>What scripts push with in one step.</summary>
+        private readonly struct Pushed : IPush
+        {
+            private readonly Vector3d _force, _torque;
+
+            public Pushed(Vector3d force, Vector3d torque)
+            {
+                _force = Guard.Finite(force, nameof(force));
+                _torque = Guard.Finite(torque, nameof(torque));
+            }
+
+            public EffectTraits Traits => EffectTraits.Moves | EffectTraits.Turns;
+
+            public void At(in Instant now, in BodyState body, MassProperties mass, ref Wrench wrench) => Over(now, 1, body, mass, ref wrench);
+
+            public void Over(in Instant now, double duration, in BodyState body, MassProperties mass, ref Wrench impulse)
+            {
+                impulse.Force += duration * _force;
+                impulse.Torque += duration * _torque;
+            }
         }
     }
 

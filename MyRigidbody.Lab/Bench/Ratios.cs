@@ -51,7 +51,7 @@ internal static class Ratios
             yield return ("an effect that acts", $"Exact, {effect} on", "Exact, no effect");
         }
 
-        yield return ("a hand that pushes nothing", "Exact, gravity and a hand that pushes nothing", "Exact, gravity on");
+        yield return ("keys that nobody holds", "Exact, gravity and keys that nobody holds", "Exact, gravity on");
         yield return ("a body that does not turn", "Exact, no spin", "Exact, three different moments");
         yield return ("two equal moments", "Exact, two equal moments", "Exact, three different moments");
         yield return ("three equal moments", "Exact, three equal moments", "Exact, three different moments");

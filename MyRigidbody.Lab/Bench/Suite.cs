@@ -47,7 +47,7 @@ internal static class Suite
                 Alone($"Exact, {effect.Name} on", effect.With(General(), 0)),
                 Alone($"Exact, {effect.Name} idle", effect.With(General(), Never)),
             }),
-            Alone("Exact, gravity and a hand that pushes nothing", General().With(new Gravity(new Vector3d(0, -9.81, 0))).With(new HeldBy(new Hand()))),
+            Alone("Exact, gravity and keys that nobody holds", General().With(new Gravity(new Vector3d(0, -9.81, 0))).With(new HeldKeys(new LabKeyboard()))),
         ];
     }
 

@@ -41,12 +41,12 @@ internal static class Phrases
             (@"\bkey RightArrow\b", "右方向键"),
             (@"\bkey UpArrow\b", "上方向键"),
             (@"\bkey DownArrow\b", "下方向键"),
+            ("^keys held on the keyboard$", "键盘上按住的键"),
             (@"^a force for each of (\d+) steps, a torque for each of (\d+)$", "$1 步中每步一个力，$2 步中每步一个力矩"),
             (@"^drag (\S+) abs\(v\) v N$", "阻力 $1 abs(v) v N"),
             ("^spring (.*) from (.*) to (.*)$", "弹簧 $1，从 $2 到 $3"),
             ("^thrust (.*) N at (.*) m, body axes$", "推力 $1 N，作用点 $2 m，刚体坐标轴"),
             ("^heavy top, m g l = (.*) along (.*), up (.*)$", "重陀螺，m g l = $1，沿 $2，向上为 $3"),
-            ("^what the program pushes with$", "程序施加的力"),
 
             // when
             ("^always$", "始终"),

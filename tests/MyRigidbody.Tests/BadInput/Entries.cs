@@ -11,7 +11,7 @@ internal sealed record Entry(Type Type, MethodBase Method)
     private static readonly Dictionary<string, Type> Arguments = new()
     {
         ["TIntegrator"] = typeof(LabEuler),
-        ["TPush"] = typeof(HeldBy),
+        ["TPush"] = typeof(HeldKeys),
         ["TFirst"] = typeof(Force),
         ["TSecond"] = typeof(Torque),
         ["R"] = typeof(ToSingle),

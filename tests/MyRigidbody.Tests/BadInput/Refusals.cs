@@ -81,8 +81,6 @@ internal static class Refusals
         Case("length of up", "0", () => new HeavyTop(One, 1, Vector3d.Zero)),
         .. Vectors("force[1]", NotFinite, f => new PerStep([One, f], [])),
         .. Vectors("torque[0]", NotFinite, t => new PerStep([], [t])),
-        .. Vectors("Force", NotFinite, f => new Hand { Force = f }),
-        .. Vectors("Torque", NotFinite, t => new Hand { Torque = t }),
         Case("key", "99", () => new KeyPush((LabKey)99)),
         Case("axis length", "0", () => Quaterniond.FromAxisAngle(Vector3d.Zero, 1)),
     ];

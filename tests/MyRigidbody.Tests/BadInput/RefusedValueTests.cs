@@ -25,7 +25,6 @@ public sealed class RefusedValueTests
             ("mass", () => _ = new BodyDescription("b", null!)),
             ("effect", () => new BodyDescription("b", ball).With((Effect)null!)),
             ("coast", () => new BodyDescription("b", ball).With((ICoast)null!)),
-            ("hand", () => _ = new HeldBy(null!)),
             ("keyboard", () => _ = new HeldKeys(null!)),
             ("pushes", () => _ = new Many(null!)),
             ("force", () => _ = new PerStep(null!, [])),
@@ -51,15 +50,6 @@ public sealed class RefusedValueTests
                 Throws.ArgumentNullException.With.Property(nameof(ArgumentException.ParamName)).EqualTo(name).And.Message.Contains(name),
                 name);
         }
-    }
-
-    [Test]
-    public void Hand_keeps_what_it_pushed_with()
-    {
-        Hand hand = new() { Force = new Vector3d(1, 2, 3), Torque = new Vector3d(4, 5, 6) };
-        Assert.That(() => hand.Force = Bad, Throws.InstanceOf<ArgumentOutOfRangeException>());
-        Assert.That(() => hand.Torque = Bad, Throws.InstanceOf<ArgumentOutOfRangeException>());
-        Assert.That((hand.Force, hand.Torque), Is.EqualTo((new Vector3d(1, 2, 3), new Vector3d(4, 5, 6))));
     }
 
     [Test]
@@ -93,13 +83,12 @@ public sealed class RefusedValueTests
     }
 
     [Test]
-    public void Refused_hand_leaves_a_running_simulation_as_it_was()
+    public void Refused_force_leaves_a_running_simulation_as_it_was()
     {
-        Hand hand = new() { Force = new Vector3d(1, 0, 0) };
-        Simulation simulation = new(TimeSteps.Every(0.1), Scenery.Body("LabEuler").With(new HeldBy(hand)));
+        Simulation simulation = new(TimeSteps.Every(0.1), Scenery.Body("LabEuler").With(new Force(new Vector3d(1, 0, 0))));
         Simulation untroubled = new(TimeSteps.Every(0.1), Scenery.Body("LabEuler").With(new Force(new Vector3d(1, 0, 0))));
         simulation.Step(3);
-        Assert.That(() => hand.Force = Bad, Throws.InstanceOf<ArgumentOutOfRangeException>());
+        Assert.That(() => simulation.Bodies[0].ApplyForce(Bad), Throws.InstanceOf<ArgumentOutOfRangeException>());
         Assert.That(() => simulation.Step(-2), Throws.InstanceOf<ArgumentOutOfRangeException>());
         simulation.Step(3);
         untroubled.Step(6);

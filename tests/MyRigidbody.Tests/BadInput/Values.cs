@@ -47,7 +47,6 @@ internal static class Values
             _ when type == typeof(Explanation) => new Explanation((BodyPlan)Sound(typeof(BodyPlan))),
             _ when type == typeof(Rule) => Rules.Default,
             _ when type == typeof(FreeMotion) => new FreeMotion((BodyDescription)Sound(typeof(BodyDescription))),
-            _ when type == typeof(HeldBy) => new HeldBy(new Hand()),
             _ when type == typeof(HeldKeys) => new HeldKeys(new LabKeyboard { [LabKey.R] = true }),
             _ when type == typeof(Many) => new Many([new Force(vector)]),
             _ when type == typeof(PerStep) => new PerStep([vector], [vector]),

@@ -70,18 +70,15 @@ public sealed class BatchEffectTests
     }
 
     [Test]
-    public void Way_back_does_not_ask_what_the_program_pushed_with_before([Values("Exact", "RungeKutta4", "LabEuler")] string rule, [Values(true, false)] bool byKeys)
+    public void Way_back_does_not_ask_what_the_program_pushed_with_before([Values("Exact", "RungeKutta4", "LabEuler")] string rule)
     {
-        Hand hand = new();
         LabKeyboard keyboard = new();
-        BodyDescription body = new BodyDescription("b", Crowding.Masses.First()) { Rule = Rules.Named(rule) }.With(new AtTime(true, 0.5));
-        _ = byKeys ? body.With(new HeldKeys(keyboard)) : body.With(new HeldBy(hand));
+        BodyDescription body = new BodyDescription("b", Crowding.Masses.First()) { Rule = Rules.Named(rule) }.With(new AtTime(true, 0.5)).With(new HeldKeys(keyboard));
         Together batch = new(body, Steps);
         Simulation alone = new(Steps, body);
         batch.Add(body.Start);
         for (int i = 0; i < 6; i++)
         {
-            hand.Force = new Vector3d(i % 4, 1, 0);
             keyboard[LabKey.RightArrow] = i % 2 == 0;
             try
             {

@@ -103,7 +103,7 @@ public sealed class BatchOverflowTests
         BodyDescription body = new BodyDescription("b", MassProperties.FromPrincipal(1, new Vector3d(1, 2, 3))) { Rule = Rules.Named(rule) }
             .With(new Force(new Vector3d(0, 64 * g, 0))).With(Awake);
         if (isSteered)
-            body.With(new HeldBy(new Hand()));
+            body.With(new HeldKeys(new LabKeyboard()));
 
         Together batch = new(body, steps);
         Random random = new(5);

@@ -13,38 +13,36 @@ public sealed class IdlePushTests
         select new object[] { rule, moments };
 
     [TestCaseSource(nameof(Cases))]
-    public void Hand_that_pushes_nothing_changes_no_bit(string rule, Vector3d moments)
+    public void Keys_that_nobody_holds_change_no_bit(string rule, Vector3d moments)
     {
         BodyDescription free = Body(rule, moments).With(new Gravity(new Vector3d(0, -9.81, 0))).With(new AngularDamping(0.1));
-        BodyDescription held = free.Copy("held", free.Mass).With(new HeldBy(new Hand()));
-        AreSame(free, held, _ => { }, (a, b) => a.Equals(b));
+        BodyDescription held = free.Copy("held", free.Mass).With(new HeldKeys(new LabKeyboard()));
+        AreSame(free, held, (_, _) => { }, (a, b) => a.Equals(b));
     }
 
     // a preparation thrown away is made again from an ω that has been rounded, and other last bits come of it
     [TestCaseSource(nameof(Cases))]
     public void Force_alone_changes_no_bit_of_a_rotation(string rule, Vector3d moments)
     {
-        Hand hand = new();
-        BodyDescription free = Body(rule, moments), pushed = free.Copy("pushed", free.Mass).With(new HeldBy(hand));
-        AreSame(free, pushed, n => hand.Force = new Vector3d(n % 7, 1, -n % 3), (a, b) =>
+        BodyDescription free = Body(rule, moments), pushed = free.Copy("pushed", free.Mass);
+        AreSame(free, pushed, (body, n) => body.ApplyForce(new Vector3d(n % 7, 1, -n % 3)), (a, b) =>
             a.Orientation.Equals(b.Orientation) && a.AngularVelocity.Equals(b.AngularVelocity) && !a.Velocity.Equals(b.Velocity));
     }
 
     [TestCaseSource(nameof(Cases))]
     public void Torque_alone_changes_no_bit_of_a_way(string rule, Vector3d moments)
     {
-        Hand hand = new();
-        BodyDescription free = Body(rule, moments), turned = free.Copy("turned", free.Mass).With(new HeldBy(hand));
-        AreSame(free, turned, n => hand.Torque = new Vector3d(n % 7, 1, -n % 3), (a, b) =>
+        BodyDescription free = Body(rule, moments), turned = free.Copy("turned", free.Mass);
+        AreSame(free, turned, (body, n) => body.ApplyTorque(new Vector3d(n % 7, 1, -n % 3)), (a, b) =>
             a.Position.Equals(b.Position) && a.Velocity.Equals(b.Velocity) && !a.AngularVelocity.Equals(b.AngularVelocity));
     }
 
-    private static void AreSame(BodyDescription one, BodyDescription other, Action<int> push, Func<BodyState, BodyState, bool> same)
+    private static void AreSame(BodyDescription one, BodyDescription other, Action<Body, int> push, Func<BodyState, BodyState, bool> same)
     {
         Simulation first = Scenery.Stepped(Steps, one), second = Scenery.Stepped(Steps, other);
         for (int n = 1; n <= 1000; n++)
         {
-            push(n);
+            push(second.Bodies[0], n);
             first.Step();
             second.Step();
             Assert.That(same(first.Bodies[0].State, second.Bodies[0].State), Is.True, $"step {n}");

@@ -3,7 +3,7 @@ using static RigidBodyDynamics.Tests.Samples;
 
 namespace RigidBodyDynamics.Tests;
 
-/// <summary>Force, keys, forces per step, the hand, sums: what they push with.</summary>
+/// <summary>Force, keys, forces per step, sums: what they push with.</summary>
 public sealed class EffectTests
 {
     private static readonly Vector3d[] Kicks = [new Vector3d(1, 0, -2), new Vector3d(0.5, 0.25, 0)];
@@ -69,18 +69,6 @@ public sealed class EffectTests
     }
 
     [Test]
-    public void Hand_pushes_with_what_it_was_given_last()
-    {
-        Hand hand = new();
-        HeldBy held = new(hand);
-        Assert.That(Pushes.At(held, Pushes.Now, Pushes.State), Is.EqualTo(default(Wrench)));
-        hand.Force = new Vector3d(1, 2, 3);
-        hand.Torque = new Vector3d(4, 5, 6);
-        Wrench doubled = new() { Force = new Vector3d(2, 4, 6), Torque = new Vector3d(8, 10, 12) };
-        Assert.That(Pushes.Over(held, Pushes.Now, 2, Pushes.State), Is.EqualTo(doubled));
-    }
-
-    [Test]
     public void Sum_has_a_potential_if_every_part_has_one()
     {
         Force force = new(new Vector3d(1, -2, 3));
@@ -133,7 +121,7 @@ public sealed class EffectTests
         yield return new TestCaseData(new LinearDamping(0.5), "linear damping 0.5 /s");
         yield return new TestCaseData(new AngularDamping(0.25), "angular damping 0.25 /s");
         yield return new TestCaseData(new DecayPerStep(0.98, 0.5), "v × 0.98, ω × 0.5 a step");
-        yield return new TestCaseData(new HeldBy(new Hand()), "what the program pushes with");
+        yield return new TestCaseData(new HeldKeys(new LabKeyboard()), "keys held on the keyboard");
     }
 
     [TestCaseSource(nameof(Words))]

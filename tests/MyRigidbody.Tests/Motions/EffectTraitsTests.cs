@@ -45,9 +45,6 @@ public sealed class EffectTraitsTests
         BodyState state = Pushes.State;
         switch (read)
         {
-            case EffectTraits.ReadsTime when push is HeldBy:
-                // what is held changes with time, not with the number of the step
-                return ChangesWithTheHand();
             case EffectTraits.ReadsTime: now = new Instant(2, 1.9); break;
             case EffectTraits.ReadsPosition: state.Position += new Vector3d(0.3, -2, 1); break;
             case EffectTraits.ReadsOrientation: state.Orientation = new Quaterniond(0.1, 0.7, 0.7, -0.1); break;
@@ -58,17 +55,5 @@ public sealed class EffectTraitsTests
         bool same = Equals(Pushes.At(push, now, state), Pushes.At(push, Pushes.Now, Pushes.State))
             && Equals(Pushes.Over(push, now, 0.1, state), Pushes.Over(push, Pushes.Now, 0.1, Pushes.State));
         return !same;
-    }
-
-    private static bool ChangesWithTheHand()
-    {
-        Hand hand = new() { Force = new Vector3d(1, 0, 0), Torque = new Vector3d(0, 1, 0) };
-        HeldBy held = new(hand);
-        Wrench before = Pushes.At(held, Pushes.Now, Pushes.State);
-        hand.Force = new Vector3d(2, 0, 0);
-        Wrench moved = Pushes.At(held, Pushes.Now, Pushes.State);
-        hand.Torque = Vector3d.Zero;
-        Wrench turned = Pushes.At(held, Pushes.Now, Pushes.State);
-        return !Equals(before, moved) && !Equals(moved, turned);
     }
 }

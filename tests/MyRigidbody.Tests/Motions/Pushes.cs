@@ -57,7 +57,6 @@ internal static class Pushes
         yield return Case("forces and torques per step", new PerStep(Kicks, Kicks));
         yield return Case("forces per step", new PerStep(Kicks, []));
         yield return Case("torques per step", new PerStep([], Kicks));
-        yield return Case("hand", new HeldBy(new Hand { Force = a, Torque = b }));
         yield return Case("keys held", new HeldKeys(new LabKeyboard { [LabKey.UpArrow] = true, [LabKey.R] = true }));
         yield return Case("sum of two", new Both<Force, Torque>(force, swinging));
         yield return Case("sum of many", new Many([force, swinging, new Spring(a, b, 4)]));

@@ -63,19 +63,20 @@ public sealed class ReadmeTests
     public void Example_of_the_library_compiles_and_moves_the_cube()
     {
         // begin
-        Hand hand = new Hand();
         BodyDescription cube = new BodyDescription("cube", Solids.Box(1, new Vector3d(1, 2, 3)))
             .With(new Gravity(new Vector3d(0, -9.81, 0)))
-            .With(new Torque(Vector3d.Zero, new Vector3d(1, 1, 1), Vector3d.Zero, 1, inBody: false), from: 0, to: 3)
-            .With(new HeldBy(hand));
-        Simulation simulation = new Simulation(TimeSteps.Every(0.02), cube);
+            .With(new Torque(Vector3d.Zero, new Vector3d(1, 1, 1), Vector3d.Zero, 1, inBody: false), from: 0, to: 3);
+        Simulation simulation = new Simulation(TimeSteps.Every(0.02));
+        Body body = simulation.Add(cube);
         for (int step = 0; step < 500; step++)
         {
-            hand.Force = step < 50 ? new Vector3d(5, 0, 0) : Vector3d.Zero;
+            if (step < 50)
+                body.ApplyForce(new Vector3d(5, 0, 0));
+
             simulation.Step();
         }
 
-        Console.WriteLine(simulation.Bodies[0].State.Position);
+        Console.WriteLine(body.State.Position);
         // end
         string own = File.ReadAllText(Root.File("tests/MyRigidbody.Tests/Repository/ReadmeTests.cs"));
         string example = own[(own.IndexOf("// begin\n", StringComparison.Ordinal) + 9)..own.IndexOf("        // end\n", StringComparison.Ordinal)];
@@ -83,8 +84,8 @@ public sealed class ReadmeTests
 
         Assert.That(Between("```csharp", "```"), Is.EqualTo(lines));
         // x: 5 m/s² for the first second, then 5 m/s for nine; y: −9.81 · 10² / 2 m
-        Assert.That(simulation.Bodies[0].State.Position.X, Is.EqualTo(2.5 + 9 * 5).Within(2e-12)); // measured 4.0e-13
-        Assert.That(simulation.Bodies[0].State.Position.Y, Is.EqualTo(-490.5).Within(2e-12)); // measured 2.8e-13
+        Assert.That(body.State.Position.X, Is.EqualTo(2.5 + 9 * 5).Within(2e-12)); // measured 4.0e-13
+        Assert.That(body.State.Position.Y, Is.EqualTo(-490.5).Within(2e-12)); // measured 2.8e-13
     }
 
     [TestCase("README.md", ", ")]

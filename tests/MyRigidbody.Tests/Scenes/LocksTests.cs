@@ -104,10 +104,17 @@ public sealed class LocksTests
     {
         BodyState With(double y)
         {
-            Hand hand = new() { Force = new Vector3d(1, y, 0), Torque = new Vector3d(0.1, 0, 0.2) };
             BodyDescription body = Tilted(rule, Locks.MoveY | Locks.TurnZ, new Vector3d(1, 0, 2), Vector3d.Zero)
-                .With(new Force(new Vector3d(0, y, 1))).With(new HeldBy(hand)).With(new QuadraticDrag(0.3)).With(new Gravity(new Vector3d(0, y, 0)));
-            return Scenery.Run(TimeSteps.Every(0.02), body, 50);
+                .With(new Force(new Vector3d(0, y, 1))).With(new QuadraticDrag(0.3)).With(new Gravity(new Vector3d(0, y, 0)));
+            Simulation simulation = new(TimeSteps.Every(0.02), body);
+            for (int step = 0; step < 50; step++)
+            {
+                simulation.Bodies[0].ApplyForce(new Vector3d(1, y, 0));
+                simulation.Bodies[0].ApplyTorque(new Vector3d(0.1, 0, 0.2));
+                simulation.Step();
+            }
+
+            return simulation.Bodies[0].State;
         }
 
         Assert.That(With(100), Is.EqualTo(With(0)));

@@ -37,22 +37,21 @@ public sealed class SavedSimulationTests
     [Test]
     public void What_happened_after_it_was_saved_is_forgotten()
     {
-        Hand hand = new();
-        Simulation simulation = new(TimeSteps.Every(0.02), Scenery.Body("Exact").With(new HeldBy(hand), 0, 2));
-        hand.Force = new Vector3d(1, 0, 0);
+        LabKeyboard keyboard = new() { [LabKey.RightArrow] = true };
+        Simulation simulation = new(TimeSteps.Every(0.02), Scenery.Body("Exact").With(new HeldKeys(keyboard), 0, 2));
         simulation.Step(150);
         SavedSimulation coasting = simulation.Save();
         BodyState there = simulation.Bodies[0].State;
         simulation.Step(400);
         BodyState later = simulation.Bodies[0].State;
 
-        Simulation other = new(TimeSteps.Every(0.02), Scenery.Body("Exact").With(new HeldBy(hand), 0, 2));
+        Simulation other = new(TimeSteps.Every(0.02), Scenery.Body("Exact").With(new HeldKeys(keyboard), 0, 2));
         SavedSimulation start = other.Save();
-        hand.Force = new Vector3d(1, 0, 0);
         other.Step(150);
         SavedSimulation first = other.Save();
         other.Restore(start);
-        hand.Force = new Vector3d(0, -3, 0);
+        keyboard[LabKey.RightArrow] = false;
+        keyboard[LabKey.DownArrow] = true;
         other.Step(500);
         Assert.That(other.Bodies[0].State, Is.Not.EqualTo(later));
         other.Restore(first);
