@@ -13,7 +13,7 @@ internal static partial class AssetRules
     // one random GUID in 27 million has fewer different digits; those typed by hand and Unity's own have
     private const int FewestDigits = 8;
 
-    private static readonly string[] Texts = [".cs", ".asmdef", ".md", ".txt", ".unity", ".mat", ".json"];
+    private static readonly string[] Texts = [".cs", ".asmdef", ".md", ".txt", ".unity", ".mat", ".shader", ".json"];
 
     /// <summary>The assets, if they are a sound package.</summary>
     public static IReadOnlyList<Asset> Checked(IReadOnlyList<Asset> assets)

@@ -36,7 +36,7 @@ internal static partial class BrokenScenes
         Found("a light of 2020", Replace(LabScene, "serializedVersion: 10\n", "serializedVersion: 11\n"), "Light.serializedVersion: 11 is not =10"),
         Found("a light map of 2020", Replace(LabScene, "serializedVersion: 11\n", "serializedVersion: 12\n"), "LightmapSettings.serializedVersion"),
         Found("a material of 2021", Replace(Blue, "serializedVersion: 6\n", "serializedVersion: 8\n"), "Material.serializedVersion"),
-        Found("a colour less", Replace(Blue, "    - _EmissionColor: {r: 0, g: 0, b: 0, a: 1}\n", ""), "m_Colors: has 1 elements, not 2"),
+        Found("a colour more", Replace(Blue, "    - _Color:", "    - _EmissionColor: {r: 0, g: 0, b: 0, a: 1}\n    - _Color:"), "m_Colors[0]: lacks _Color"),
         Found("a text for a number", Replace(LabScene, "m_Mass: 1\n", "m_Mass: one\n"), "m_Mass: one is not float"),
         Found("a true for a 1", Replace(LabScene, "m_IsActive: 1\n", "m_IsActive: true\n"), "m_IsActive: true is not bool"),
         Found("a vector without z", Replace(LabScene, "m_Size: {x: 1, y: 1, z: 1}", "m_Size: {x: 1, y: 1}"), "m_Size"),
@@ -66,7 +66,8 @@ internal static partial class BrokenScenes
             "a cube from elsewhere",
             Replace(LabScene, "guid: 0000000000000000e000000000000000, type: 0}\n---", "guid: 0000000000000000f000000000000000, type: 0}\n---"),
             "should be {fileID: 10202"),
-        Found("another shader", Replace(Blue, "fileID: 46,", "fileID: 47,"), "should be {fileID: 46"),
+        Found("a shader of the built-in pipeline", Replace(Blue, "{fileID: 4800000, guid: " + Guid(Assets + "Materials/Matt.shader") + ", type: 3}", "{fileID: 46, guid: 0000000000000000f000000000000000, type: 0}"), "which no asset has"),
+        Found("a shader by the number of a script", Replace(Blue, "fileID: 4800000", "fileID: 11500000"), "has fileID 4800000 and type 3"),
         Found("a prefab", Replace(LabScene, "m_PrefabInstance: {fileID: 0}", "m_PrefabInstance: {fileID: 1}"), "should refer to nothing"),
         Found("a reference that is none", Replace(LabScene, "m_Icon: {fileID: 0}", "m_Icon: 0"), "is not a reference"),
     ];

@@ -20,5 +20,6 @@ public sealed class ProjectTests
     [TestCaseSource(typeof(BrokenScenes), nameof(BrokenScenes.All))]
     [TestCaseSource(typeof(BrokenComponents), nameof(BrokenComponents.All))]
     [TestCaseSource(typeof(BrokenFiles), nameof(BrokenFiles.All))]
+    [TestCaseSource(typeof(BrokenShaders), nameof(BrokenShaders.All))]
     public void Checker_finds(ProjectFiles wrong, string words) => Assert.That(ProjectChecker.Findings(wrong), Has.Some.Contains(words));
 }

@@ -2,6 +2,7 @@ using System.Numerics;
 using NUnit.Framework;
 using RigidBodyDynamics.Tests.Repository;
 using RigidBodyDynamics.UnityFiles.Drawing;
+using RigidBodyDynamics.UnityFiles.Shading;
 using SkiaSharp;
 
 namespace RigidBodyDynamics.Tests.UnityProject;
@@ -91,9 +92,9 @@ public sealed class SceneViewTests
         Viewpoint view = new(Vector3.Zero, Quaternion.Identity, 60, 0.3f, Vector3.Zero);
         foreach (DrawnCube[] cubes in (DrawnCube[][])[[near, far], [far, near]])
         {
-            // half from everywhere, half along z, the way one looks; a face that is turned away gets the first half alone
-            using SKBitmap lit = Picture.Bodies(new DrawnScene(view, Vector3.UnitZ, Vector3.One / 2, Vector3.One / 2, cubes));
-            using SKBitmap dark = Picture.Bodies(new DrawnScene(view, -Vector3.UnitZ, Vector3.One / 2, Vector3.One / 2, cubes));
+            // a face that looks at the light has all its colour, one that is turned away half of it
+            using SKBitmap lit = Picture.Bodies(new DrawnScene(view, new MattShading(-Vector3.UnitZ, 0.5f, 1), cubes));
+            using SKBitmap dark = Picture.Bodies(new DrawnScene(view, new MattShading(Vector3.UnitZ, 0.5f, 1), cubes));
 
             Assert.That(lit.GetPixel(640, 360), Is.EqualTo(new SKColor(255, 0, 0)));
             Assert.That(lit.GetPixel(640, 220), Is.EqualTo(new SKColor(0, 255, 0)));

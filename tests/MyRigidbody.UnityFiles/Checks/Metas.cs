@@ -42,6 +42,7 @@ internal static partial class Metas
         {
             "MonoImporter" => ["  serializedVersion: 2", "  defaultReferences: []", "  executionOrder: 0", "  icon: {instanceID: 0}"],
             "NativeFormatImporter" => ["  mainObjectFileID: 2100000"],
+            "ShaderImporter" => ["  defaultTextures: []", "  nonModifiableTextures: []"],
             _ => [],
         };
         string[] lines =
@@ -57,6 +58,7 @@ internal static partial class Metas
         ".cs" => "MonoImporter",
         ".asmdef" => "AssemblyDefinitionImporter",
         ".mat" => "NativeFormatImporter",
+        ".shader" => "ShaderImporter",
         ".json" when Path.GetFileName(asset) == "package.json" => "PackageManifestImporter",
         ".json" or ".md" or ".txt" or ".csv" or ".xml" => "TextScriptImporter",
         _ => "DefaultImporter",

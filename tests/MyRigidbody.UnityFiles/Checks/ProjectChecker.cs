@@ -21,6 +21,7 @@ public static class ProjectChecker
             .. Assemblies.Findings(files),
             .. Packages.Findings(files),
             .. project.Scripts.Misnamed,
+            .. Shaders.Findings(project),
             .. OurSettings.Where(path => !files.Texts.ContainsKey(path)).Select(path => $"{path}: is missing"),
             .. files.Texts.Keys.Where(IsYaml).SelectMany(path => new SceneChecker(path, project).Findings()),
             .. ScenesToBuild(project),

@@ -5,18 +5,22 @@ namespace RigidBodyDynamics.UnityFiles.Checks;
 /// <summary>Whether a reference leads to something of the right kind.</summary>
 internal sealed class References(UnityFile file, Project project)
 {
-    private const string Extra = "0000000000000000e000000000000000", Resources = "0000000000000000f000000000000000";
+    private const string Extra = "0000000000000000e000000000000000";
 
     // what comes with the engine has type 0
     private static readonly Dictionary<string, (string FileId, string Guid)> BuiltIn = new()
     {
         ["built-in cube"] = ("10202", Extra),
         ["built-in spot cookie"] = ("10001", Extra),
-        ["built-in Standard"] = ("46", Resources),
     };
 
     // the number of the main object in a file of a kind, and the type of a reference to one
-    private static readonly Dictionary<string, (string FileId, string Type)> Main = new() { [".cs"] = ("11500000", "3"), [".mat"] = ("2100000", "2") };
+    private static readonly Dictionary<string, (string FileId, string Type)> Main = new()
+    {
+        [".cs"] = ("11500000", "3"),
+        [".mat"] = ("2100000", "2"),
+        [".shader"] = ("4800000", "3"),
+    };
 
     private readonly ILookup<long, UnityObject> _objects = file.Objects.ToLookup(o => o.FileId);
 

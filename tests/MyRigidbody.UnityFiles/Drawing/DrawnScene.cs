@@ -1,17 +1,16 @@
 using System.Numerics;
+using RigidBodyDynamics.UnityFiles.Shading;
 using YamlDotNet.RepresentationModel;
 
 namespace RigidBodyDynamics.UnityFiles.Drawing;
 
-/// <summary>What a camera sees of a scene: cubes, one light and the background.</summary>
+/// <summary>What a camera sees of a scene: cubes and the background.</summary>
 /// <param name="View">The main camera.</param>
-/// <param name="LightAlong">The way the light shines.</param>
-/// <param name="Light">Its colour times its intensity.</param>
-/// <param name="Ambient">The light that comes from everywhere.</param>
+/// <param name="Shading">How the shader of the cubes' materials shows a surface; it knows no lights.</param>
 /// <param name="Cubes">In the order of the hierarchy.</param>
-public sealed record DrawnScene(Viewpoint View, Vector3 LightAlong, Vector3 Light, Vector3 Ambient, IReadOnlyList<DrawnCube> Cubes)
+public sealed record DrawnScene(Viewpoint View, MattShading Shading, IReadOnlyList<DrawnCube> Cubes)
 {
-    private const int GameObjectId = 1, TransformId = 4, CameraId = 20, RendererId = 23, RenderSettingsId = 104, LightId = 108;
+    private const int GameObjectId = 1, TransformId = 4, CameraId = 20, RendererId = 23;
 
     /// <summary>Reads a scene; other poses may be given for some of its objects, by their names.</summary>
     /// <exception cref="FormatException">It is not a scene as Unity writes it, or has more than this can draw.</exception>
@@ -21,17 +20,15 @@ public sealed record DrawnScene(Viewpoint View, Vector3 LightAlong, Vector3 Ligh
         AssetIndex assets = new(AssetsFolder(path));
         Graph graph = new(file, poses ?? new Dictionary<string, Pose>());
 
-        UnityObject settings = file.Objects.Single(o => o.ClassId == RenderSettingsId), camera = file.Objects.Single(o => o.ClassId == CameraId);
-        UnityObject light = file.Objects.Single(o => o.ClassId == LightId);
+        UnityObject camera = file.Objects.Single(o => o.ClassId == CameraId);
+        (UnityObject Object, UnityObject Material)[] renderers = [.. file.Objects.Where(o => o.ClassId == RendererId).Select(o => (o, Material(o, assets)))];
         (Vector3 position, Quaternion rotation) = graph.Pose(camera);
         Viewpoint view = new(
             position, rotation, camera["field of view"]!.Number(), camera["near clip plane"]!.Number(), camera["m_BackGroundColor"]!.Color());
         return new DrawnScene(
             view,
-            Vector3.Transform(Vector3.UnitZ, graph.Pose(light).Rotation),
-            light["m_Color"]!.Color() * light["m_Intensity"]!.Number(),
-            settings["m_AmbientSkyColor"]!.Color(),
-            [.. file.Objects.Where(o => o.ClassId == RendererId).Select(o => graph.Cube(o, Color(o, assets))).OrderBy(cube => cube.Order).Select(cube => cube.Cube)]);
+            renderers.Select(renderer => ShadingOf(renderer.Material, assets)).Distinct().Single(),
+            [.. renderers.Select(renderer => graph.Cube(renderer.Object, Color(renderer.Material))).OrderBy(cube => cube.Order).Select(cube => cube.Cube)]);
     }
 
     private static string AssetsFolder(string scene)
@@ -45,12 +42,19 @@ public sealed record DrawnScene(Viewpoint View, Vector3 LightAlong, Vector3 Ligh
         return folder?.FullName ?? throw new FormatException($"{scene}: is not in a folder Assets");
     }
 
-    private static Vector3 Color(UnityObject renderer, AssetIndex assets)
+    private static UnityObject Material(UnityObject renderer, AssetIndex assets) =>
+        UnityFile.Read(Asset(renderer["m_Materials"]!.List()[0], assets)).Objects[0];
+
+    private static MattShading ShadingOf(UnityObject material, AssetIndex assets) =>
+        MattShading.Of(ShaderFile.Parse(File.ReadAllText(Asset(material["m_Shader"]!, assets))));
+
+    private static Vector3 Color(UnityObject material) => material["m_SavedProperties"].Field("m_Colors").List()
+        .Cast<YamlMappingNode>().Single(color => color.Children[0].Key.Text() == "_Color").Children[0].Value.Color();
+
+    private static string Asset(YamlNode reference, AssetIndex assets)
     {
-        string guid = renderer["m_Materials"]!.List()[0].Field("guid").Text();
-        string path = assets.Find(guid) ?? throw new FormatException($"no material has the GUID {guid}");
-        YamlNode colors = UnityFile.Read(path).Objects[0]["m_SavedProperties"].Field("m_Colors");
-        return colors.List().Cast<YamlMappingNode>().Single(color => color.Children[0].Key.Text() == "_Color").Children[0].Value.Color();
+        string guid = reference.Field("guid").Text();
+        return assets.Find(guid) ?? throw new FormatException($"no asset has the GUID {guid}");
     }
 
     /// <summary>Who is a part of whom.</summary>

@@ -3,7 +3,7 @@ using SkiaSharp;
 
 namespace RigidBodyDynamics.UnityFiles.Drawing;
 
-/// <summary>A scene as its camera sees it, roughly as Unity's Standard shader shows it: matt, in gamma space, without shadows.</summary>
+/// <summary>A scene as its camera sees it, by the formula of the package's own shader.</summary>
 public static class Picture
 {
     /// <summary>Size of the picture, pixels.</summary>
@@ -67,7 +67,6 @@ public static class Picture
     {
         Vector3 normal = Vector3.Normalize(Vector3.Cross(face[1] - face[0], face[3] - face[0]));
         Vector3 outward = Vector3.Dot(normal, face[0] - cube.Center) < 0 ? -normal : normal;
-        float facing = MathF.Max(0, -Vector3.Dot(outward, Vector3.Normalize(scene.LightAlong)));
-        return cube.Color * (scene.Ambient + facing * scene.Light);
+        return cube.Color * scene.Shading.At(outward);
     }
 }
