@@ -80,6 +80,10 @@ namespace RigidBodyDynamics
             return new MassProperties(mass, moments, frame, inertia, centerOfMass);
         }
 
+        /// <summary>A body with a known tensor about the origin of its frame, in body axes: less by Steiner's m (d·d 1 − d dᵀ) about its centre of mass d.</summary>
+        public static MassProperties FromTensorAboutOrigin(double mass, SymmetricMatrix3 inertia, Vector3d centerOfMass) =>
+            FromTensor(mass, inertia - Guard.Positive(mass, nameof(mass)) * Compound.About(Guard.Finite(centerOfMass, nameof(centerOfMass))), centerOfMass);
+
         /// <summary>The same body with its centre of mass elsewhere in the body frame.</summary>
         public MassProperties WithCenterOfMass(Vector3d centerOfMass) =>
             new MassProperties(Mass, PrincipalMoments, PrincipalFrame, Inertia, centerOfMass);

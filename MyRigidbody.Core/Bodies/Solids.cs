@@ -20,21 +20,29 @@ namespace RigidBodyDynamics
             return Principal(mass, new Vector3d(moment, moment, moment));
         }
 
-        /// <summary>A cylinder along the y axis (as Unity's): m r² / 2 along, m (3 r² + h²) / 12 across.</summary>
-        public static MassProperties Cylinder(double mass, double radius, double height)
+        /// <summary>A cylinder: m r² / 2 along, m (3 r² + h²) / 12 across.</summary>
+        /// <param name="mass">kg.</param>
+        /// <param name="radius">m.</param>
+        /// <param name="height">m.</param>
+        /// <param name="axis">The body axis along which it lies: 0 is x, 1 y, as Unity's, and 2 z.</param>
+        public static MassProperties Cylinder(double mass, double radius, double height, int axis = 1)
         {
             Guard.Positive(mass, nameof(mass));
             double along = 0.5 * Guard.Positive(radius, nameof(radius)) * radius;
             double across = 0.5 * along + Guard.Positive(height, nameof(height)) * height / 12;
-            return Principal(mass, mass * new Vector3d(across, along, across));
+            return Principal(mass, Along(axis, mass * along, mass * across));
         }
 
-        /// <summary>A capsule along the y axis: a cylinder of the given height between two half balls.</summary>
+        /// <summary>A capsule: a cylinder of the given height between two half balls.</summary>
+        /// <param name="mass">kg.</param>
+        /// <param name="radius">m.</param>
+        /// <param name="height">Of the cylinder, m.</param>
+        /// <param name="axis">The body axis along which it lies: 0 is x, 1 y, as Unity's, and 2 z.</param>
         /// <remarks>
         /// A half ball's centre is 3/8 r from its flat side; about that centre it has 2/5 m r² along and
         /// (2/5 − 9/64) m r² across. The masses stand as the volumes do: r² h to 4/3 r³.
         /// </remarks>
-        public static MassProperties Capsule(double mass, double radius, double height)
+        public static MassProperties Capsule(double mass, double radius, double height, int axis = 1)
         {
             Guard.Positive(mass, nameof(mass));
             Guard.Positive(radius, nameof(radius));
@@ -45,8 +53,14 @@ namespace RigidBodyDynamics
             double along = cylinder * 0.5 * rr + balls * 0.4 * rr;
             double across = cylinder * (0.25 * rr + height * height / 12)
                 + balls * ((0.4 - 9.0 / 64) * rr + out8 * out8);
-            return Principal(mass, new Vector3d(across, along, across));
+            return Principal(mass, Along(axis, along, across));
         }
+
+        private static Vector3d Along(int axis, double along, double across) =>
+            axis == 0 ? new Vector3d(along, across, across)
+            : axis == 1 ? new Vector3d(across, along, across)
+            : axis == 2 ? new Vector3d(across, across, along)
+            : throw Guard.Refused(nameof(axis), axis, "must be 0 for x, 1 for y or 2 for z");
 
         private static MassProperties Principal(double mass, Vector3d moments) => MassProperties.FromPrincipal(mass, moments);
 

@@ -14,9 +14,9 @@ internal static class BodyReader
         Rule rule = integrator is Place named
             ? named.Make(() => Rules.Named(named.Text()))
             : Rules.Default;
-        (MassProperties mass, MassProperties? solidBox) = InertiaReader.Read(fields);
+        BodyInertia inertia = InertiaReader.Read(fields);
 
-        BodyDescription body = place.Make(() => new BodyDescription(name, mass));
+        BodyDescription body = place.Make(() => new BodyDescription(name, inertia.Mass));
         body.Rule = rule;
         ReadStart(fields, body);
         body.Lock = (fields.Optional("lock") is Place locks ? Locked(locks.Fields()) : Locks.None)
@@ -44,9 +44,9 @@ internal static class BodyReader
         }
 
         fields.End();
-        if (solidBox != null)
+        if (inertia.SolidBox != null)
         {
-            solidBoxes[name] = solidBox;
+            solidBoxes[name] = inertia.SolidBox;
         }
 
         return body;

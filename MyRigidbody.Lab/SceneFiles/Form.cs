@@ -1,7 +1,7 @@
 namespace RigidBodyDynamics.Lab;
 
 /// <summary>
-/// A value of a scene file, as the table of effects says what it is. One kind of form reads it; another, of the tests, writes the JSON Schema,
+/// A value of a scene file, as the tables of effects and of kinds of inertia say what it is. One kind of form reads it; another, of the tests, writes the JSON Schema,
 /// so that what is read and what an editor is told are said once.
 /// </summary>
 internal abstract class Form
@@ -12,8 +12,23 @@ internal abstract class Form
     /// <summary>[x, y, z].</summary>
     public abstract Vector3d Vector(string about);
 
+    /// <summary>A number above zero.</summary>
+    public abstract double Positive(string about);
+
+    /// <summary>A list of numbers above zero, at least one.</summary>
+    public abstract double[] Positives(string about);
+
+    /// <summary>[x, y, z], all above zero.</summary>
+    public abstract Vector3d Lengths(string about);
+
+    /// <summary>[w, x, y, z].</summary>
+    public abstract Quaterniond Turn(string about);
+
     /// <summary>A list of [x, y, z].</summary>
-    public abstract Vector3d[] Vectors(string about);
+    public abstract Vector3d[] Vectors(string about, int least = 0);
+
+    /// <summary>A list of what is a part of a body, at least one.</summary>
+    public abstract T[] Parts<T>(string about, Func<Fields, T> read);
 
     /// <summary>One of some words; returns its number.</summary>
     public abstract int OneOf(string about, params string[] words);
@@ -29,12 +44,18 @@ internal abstract class Form
 
     /// <summary>A field of this object that may be there.</summary>
     public abstract T Or<T>(string field, T otherwise, Func<Form, T> read);
+
+    /// <summary>Whether this object has a field that may be there.</summary>
+    public abstract bool Has(string field);
 }
 
 /// <summary>A form that reads what stands at a place.</summary>
 internal sealed class FilledForm(Place place) : Form
 {
     private Fields? _fields;
+
+    /// <summary>A form that reads an object of which some fields are known already.</summary>
+    public FilledForm(Fields fields) : this(fields.Place) => _fields = fields;
 
     private Fields Known => _fields ??= place.Fields();
 
@@ -44,7 +65,23 @@ internal sealed class FilledForm(Place place) : Form
 
     public override Vector3d Vector(string about) => place.Vector();
 
-    public override Vector3d[] Vectors(string about) => place.Items("a list of vectors", item => item.Vector());
+    public override double Positive(string about) => place.Number();
+
+    public override double[] Positives(string about) => place.Numbers();
+
+    public override Vector3d Lengths(string about) => place.Vector();
+
+    public override Quaterniond Turn(string about) => place.Turn();
+
+    public override Vector3d[] Vectors(string about, int least) => place.Items("a list of vectors", item => item.Vector());
+
+    public override T[] Parts<T>(string about, Func<Fields, T> read) => place.Items("a list of parts", item =>
+    {
+        Fields part = item.Fields();
+        T made = read(part);
+        part.End();
+        return made;
+    });
 
     public override int OneOf(string about, params string[] words) => place.OneOf(words);
 
@@ -65,4 +102,6 @@ internal sealed class FilledForm(Place place) : Form
 
     public override T Or<T>(string field, T otherwise, Func<Form, T> read) =>
         Known.Or(field, otherwise, value => read(new FilledForm(value)));
+
+    public override bool Has(string field) => Known.Optional(field) != null;
 }

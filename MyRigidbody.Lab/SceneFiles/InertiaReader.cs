@@ -1,77 +1,180 @@
 namespace RigidBodyDynamics.Lab;
 
-/// <summary>Reads mass, inertia and centre of mass of a body.</summary>
+/// <summary>
+/// Reads mass, inertia and centre of mass of a body, or of a part of one. A new kind of inertia is one line in the table, which says its form,
+/// and the schema is made of it.
+/// </summary>
 internal static class InertiaReader
 {
+    // compounds in compounds; no drawing goes deeper, and the stack does not care
+    private const int Deepest = 8;
+
     // a mass beside masses may be rounded in the file, no more
     private const double SameMass = 1e-9;
 
+    private static readonly string[] Axes = ["x", "y", "z"];
     private static readonly Vector3d Ones = new(1, 1, 1);
 
     // of a file with many bodies of which little is said, most would be copies of it
     private static readonly MassProperties UnitBox = Solids.Box(1, Ones);
-    private static readonly string[] Shapes = ["solidBox", "boxVertices", "solidSphere", "points", "principal"];
 
-    /// <summary>The mass properties, and for a box of vertices those of the solid box.</summary>
-    public static (MassProperties Mass, MassProperties? SolidBox) Read(Fields body)
+    private static readonly Dictionary<string, Kind> Kinds = new()
     {
-        Place? massPlace = body.Optional("mass"), inertia = body.Optional("inertia"), center = body.Optional("centerOfMass");
-        double mass = massPlace?.Make(() => Guard.Positive(massPlace.Value.Number(), string.Empty)) ?? 1;
-        if (inertia == null)
+        ["solidBox"] = new("A solid box", (of, given) => Solids.Box(given.Mass, of["solidBox"].Lengths("Full edges, m"))),
+        ["boxVertices"] = new("The lab's box: an eighth of the mass in each corner", (of, given) =>
         {
-            return (Centered(massPlace?.Make(() => Solids.Box(mass, Ones)) ?? UnitBox, center), null);
-        }
+            Vector3d edges = of["boxVertices"].Lengths("Full edges, m");
+            given.SolidBox = Solids.Box(given.Mass, edges);
+            return PointMasses.BoxVertices(given.Mass, edges);
+        }),
+        ["solidSphere"] = new("A solid ball", (of, given) => Solids.Sphere(given.Mass, of["solidSphere"].Positive("Radius, m"))),
+        ["solidCylinder"] = new("A solid cylinder about its centre", (of, given) => of["solidCylinder"].Object("Radius, height and axis", shape =>
+            Solids.Cylinder(given.Mass, shape["radius"].Positive("m"), shape["height"].Positive("m"), Axis(shape)))),
+        ["solidCapsule"] = new("A solid cylinder between two half balls", (of, given) => of["solidCapsule"].Object("Radius, height and axis", shape =>
+            Solids.Capsule(given.Mass, shape["radius"].Positive("m"), shape["height"].Positive("Without its caps, m"), Axis(shape)))),
+        ["points"] = new("Points", Points, Beside.Mass),
+        ["principal"] = new("Principal moments", (of, given) => given.Tensor(
+            of["principal"].Lengths("kg m^2"),
+            of.Or("frame", Quaterniond.Identity, frame => frame.Turn("Principal axes to body axes"))), Beside.All),
+        ["tensor"] = new("The tensor's elements; beside the diagonal minus the integral of the product, as in URDF and MJCF", (of, given) => given.Tensor(
+            of["tensor"].Object("kg m^2, body axes", Tensor)), Beside.All),
+        ["compound"] = new("Parts, of which mass and centre of mass follow", (of, given) =>
+            given.Depth < Deepest ? Together(of["compound"].Parts("One or more", part => Part(part, given.Depth + 1)))
+            : throw Guard.Refused("compound", given.Depth + 1, $"must not be nested deeper than {Deepest}"), Beside.Nothing),
+    };
 
-        Fields fields = inertia.Value.Fields();
-        string[] shapes = [.. Shapes.Where(shape => fields.Optional(shape) != null)];
-        if (shapes.Length != 1)
-        {
-            fields.End("masses", "frame");
-            throw inertia.Value.Wrong($"must have exactly one of {string.Join(", ", Shapes)}, found {(shapes.Length == 0 ? "none" : string.Join(", ", shapes))}");
-        }
-
-        Place shape = fields.Required(shapes[0]);
-        MassProperties found = shapes[0] switch
-        {
-            "solidBox" => shape.Make(() => Solids.Box(mass, shape.Vector())),
-            "boxVertices" => shape.Make(() => PointMasses.BoxVertices(mass, shape.Vector())),
-            "solidSphere" => shape.Make(() => Solids.Sphere(mass, shape.Number())),
-            "points" => Points(fields, shape, massPlace, mass),
-            _ => Principal(fields, mass),
-        };
-        fields.End();
-        if (shapes[0] == "points" && center != null)
-        {
-            throw center.Value.Wrong("must not stand beside points, which say where the centre of mass is");
-        }
-
-        MassProperties? solid = shapes[0] == "boxVertices" ? Centered(shape.Make(() => Solids.Box(mass, shape.Vector())), center) : null;
-        return (Centered(found, center), solid);
+    /// <summary>What may stand in the body beside an inertia, which may say it already.</summary>
+    [Flags]
+    private enum Beside
+    {
+        Nothing = 0,
+        Mass = 1,
+        Center = 2,
+        About = 4,
+        MassAndCenter = Mass | Center,
+        All = Mass | Center | About,
     }
 
-    private static MassProperties Points(Fields fields, Place list, Place? massPlace, double mass)
+    /// <summary>Names of all kinds.</summary>
+    public static IEnumerable<string> Names => Kinds.Keys;
+
+    private static string Numeric => string.Join(" and ", Names.Where(name => (Kinds[name].Beside & Beside.About) != 0));
+
+    /// <summary>Puts the form of a kind through its reader.</summary>
+    public static void Fill(string name, Form form) => form.Object(Kinds[name].About, of => Kinds[name].Read(of, new Given(1, default, false, 0)));
+
+    /// <summary>What the fields of a body say.</summary>
+    public static BodyInertia Read(Fields body) => Read(body, 0);
+
+    private static BodyInertia Read(Fields body, int depth)
     {
-        Vector3d[] points = list.Items("a list of points", place => place.Vector());
-        Place? massesPlace = fields.Optional("masses");
-        if (massesPlace == null)
+        Place? mass = body.Optional("mass"), inertia = body.Optional("inertia"), center = body.Optional("centerOfMass"), about = body.Optional("about");
+        double kilograms = mass?.Make(() => Guard.Positive(mass.Value.Number(), string.Empty)) ?? 1;
+        bool isAboutOrigin = about?.OneOf("centerOfMass", "origin") == 1;
+        if (inertia is not Place spread)
         {
-            return fields.Place.Make(() => PointMasses.Equal(mass, points));
+            MassProperties box = mass?.Make(() => Solids.Box(kilograms, Ones)) ?? UnitBox;
+            Refuse(about, $"is for {Numeric} only, and no inertia is given here");
+            return new BodyInertia(Centered(box, center), null, false);
         }
 
-        double[] masses = massesPlace.Value.Numbers("a list of masses");
-        MassProperties found = fields.Place.Make(() => PointMasses.Of(points, masses));
-        return massPlace == null || Math.Abs(found.Mass - mass) <= SameMass * mass
-            ? found
-            : throw massPlace.Value.Wrong(FormattableString.Invariant($"must be the sum of the masses, {found.Mass:R}, found {mass:R}"));
+        Fields fields = spread.Fields();
+        (string name, Kind kind, Place shape) = KindOf(fields);
+        Refuse((kind.Beside & Beside.Mass) == 0 ? mass : null, $"must not stand beside {name}, whose parts say it");
+        Refuse((kind.Beside & Beside.Center) == 0 ? center : null, $"must not stand beside {name}, which says where it is");
+        Refuse((kind.Beside & Beside.About) == 0 ? about : null, $"is for {Numeric} only; {name} is about its own centre of mass");
+        Given given = new(kilograms, center?.Vector() ?? Vector3d.Zero, isAboutOrigin, depth);
+        MassProperties found = shape.Make(() => new FilledForm(fields).Object(kind.About, of => kind.Read(of, given)));
+        if (mass != null && Math.Abs(found.Mass - kilograms) > SameMass * kilograms)
+        {
+            throw mass.Value.Wrong(FormattableString.Invariant($"must be the sum of the masses, {found.Mass:R}, found {kilograms:R}"));
+        }
+
+        return new BodyInertia(
+            Centered(found, center), given.SolidBox is MassProperties solid ? Centered(solid, center) : null, (kind.Beside & Beside.About) != 0);
     }
 
-    private static MassProperties Principal(Fields fields, double mass)
+    private static (string Name, Kind Kind, Place Place) KindOf(Fields fields)
     {
-        Vector3d moments = fields.Required("principal").Vector();
-        Quaterniond frame = fields.Or("frame", Quaterniond.Identity, place => place.Turn());
-        return fields.Place.Make(() => MassProperties.FromPrincipal(mass, moments, frame, Vector3d.Zero));
+        string[] names = [.. Names.Where(name => fields.Optional(name) != null)];
+        if (names.Length == 1)
+        {
+            return (names[0], Kinds[names[0]], fields.Required(names[0]));
+        }
+
+        fields.End("masses", "frame");
+        throw fields.Place.Wrong($"must have exactly one of {string.Join(", ", Names)}, found {(names.Length == 0 ? "none" : string.Join(", ", names))}");
+    }
+
+    private static MassProperties Points(Form of, Given given)
+    {
+        Vector3d[] points = of["points"].Vectors("Body frame, m", least: 1);
+        double[] masses = of.Or("masses", [], list => list.Positives("kg, one a point; equal parts of mass if absent"));
+        return of.Has("masses") ? PointMasses.Of(points, masses) : PointMasses.Equal(given.Mass, points);
+    }
+
+    private static SymmetricMatrix3 Tensor(Form of) => new()
+    {
+        XX = of["xx"].Positive(string.Empty),
+        YY = of["yy"].Positive(string.Empty),
+        ZZ = of["zz"].Positive(string.Empty),
+        XY = of.Or("xy", 0, product => product.Number("0 if absent")),
+        XZ = of.Or("xz", 0, product => product.Number("0 if absent")),
+        YZ = of.Or("yz", 0, product => product.Number("0 if absent")),
+    };
+
+    private static int Axis(Form shape) => shape.Or("axis", 1, axis => axis.OneOf("Along which it lies; y if absent", Axes));
+
+    private static (MassProperties Mass, Vector3d Position, Quaterniond Orientation) Part(Fields part, int depth)
+    {
+        MassProperties mass = Read(part, depth).Mass;
+        return (mass, part.Or("position", Vector3d.Zero, place => place.Vector()), part.Or("orientation", Quaterniond.Identity, place => place.Turn()));
+    }
+
+    private static MassProperties Together((MassProperties Mass, Vector3d Position, Quaterniond Orientation)[] parts)
+    {
+        Compound compound = new();
+        foreach ((MassProperties mass, Vector3d position, Quaterniond orientation) in parts)
+        {
+            compound.With(mass, position, orientation);
+        }
+
+        return compound.ToMassProperties();
+    }
+
+    private static void Refuse(Place? field, string why)
+    {
+        if (field is Place place)
+        {
+            throw place.Wrong(why);
+        }
     }
 
     private static MassProperties Centered(MassProperties mass, Place? center) =>
         center is Place place ? place.Make(() => mass.WithCenterOfMass(place.Vector())) : mass;
+
+    private sealed record Kind(string About, Func<Form, Given, MassProperties> Read, Beside Beside = Beside.MassAndCenter);
+
+    /// <summary>What the body says beside its inertia.</summary>
+    private sealed record Given(double Mass, Vector3d Center, bool IsAboutOrigin, int Depth)
+    {
+        /// <summary>The solid box of a box of vertices.</summary>
+        public MassProperties? SolidBox { get; set; }
+
+        public MassProperties Tensor(Vector3d moments, Quaterniond frame)
+        {
+            MassProperties principal = MassProperties.FromPrincipal(Mass, moments, frame, Vector3d.Zero);
+            return IsAboutOrigin ? Tensor(principal.Inertia) : principal;
+        }
+
+        public MassProperties Tensor(SymmetricMatrix3 inertia) => IsAboutOrigin
+            ? MassProperties.FromTensorAboutOrigin(Mass, inertia, Center)
+            : MassProperties.FromTensor(Mass, inertia, Vector3d.Zero);
+    }
 }
+
+/// <summary>Mass, inertia and centre of mass of a body as its file says them.</summary>
+/// <param name="Mass">The mass properties.</param>
+/// <param name="SolidBox">For a box of vertices: those of the solid box.</param>
+/// <param name="IsOfNumbers">True if moments are given as numbers, which may be about any point; a shape is about its centre of mass.</param>
+internal sealed record BodyInertia(MassProperties Mass, MassProperties? SolidBox, bool IsOfNumbers);

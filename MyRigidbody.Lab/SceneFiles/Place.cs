@@ -136,14 +136,18 @@ internal readonly record struct Place(string File, Fields? Above, string Name, J
         }
         catch (ArgumentException refused)
         {
-            // the library says "argument: rule, found value"; the argument may be a field of this object
+            // the library says "argument: rule, found value"; the argument may be a field of this object, or one beside it
             string name = refused.ParamName ?? string.Empty;
             string rule = refused.Message.StartsWith(name + ": ", StringComparison.Ordinal) ? refused.Message[(name.Length + 2)..] : refused.Message;
             string field = name.Split('[')[0];
-            bool isField = Value.ValueKind == JsonValueKind.Object && field.Length > 0 && Value.TryGetProperty(field, out _);
-            throw (isField ? new Place(File, Fields(), name, Value) : this).Wrong(rule);
+            Place? found = Has(this, field) ? new Place(File, Fields(), name, Value)
+                : Above is Fields beside && Has(beside.Place, field) ? new Place(File, beside, name, Value) : null;
+            throw (found ?? this).Wrong(rule);
         }
     }
+
+    private static bool Has(Place place, string field) =>
+        place.Value.ValueKind == JsonValueKind.Object && field.Length > 0 && place.Value.TryGetProperty(field, out _);
 
     private static IEnumerable<Place> Items(Place list)
     {

@@ -1,4 +1,5 @@
 using NUnit.Framework;
+using RigidBodyDynamics.Lab;
 
 namespace RigidBodyDynamics.Tests.SceneFiles;
 
@@ -28,13 +29,28 @@ public sealed class SceneErrorTests
     [TestCase(Head + """ "mass": 0 } ] }""", "scene.json: bodies[0].mass: must be finite and above zero, found 0")]
     [TestCase(Head + """ "mass": "heavy" } ] }""", "scene.json: bodies[0].mass: must be a number, found \"heavy\"")]
     [TestCase(Head + """ "mass": NaN } ] }""", "scene.json: line 1, column")]
-    [TestCase(Head + """ "inertia": { } } ] }""", "scene.json: bodies[0].inertia: must have exactly one of solidBox, boxVertices, solidSphere, points, principal, found none")]
+    [TestCase(Head + """ "inertia": { } } ] }""", "scene.json: bodies[0].inertia: must have exactly one of KINDS, found none")]
     [TestCase(Head + """ "inertia": { "cone": 1 } } ] }""", "scene.json: bodies[0].inertia.cone: is not a name known here")]
     [TestCase(Head + """ "inertia": { "solidBox": [1, 1] } } ] }""", "scene.json: bodies[0].inertia.solidBox: must be three numbers [x, y, z], found [1, 1]")]
     [TestCase(Head + """ "inertia": { "principal": [1, 1, 3] } } ] }""", "scene.json: bodies[0].inertia.principal: no moment can exceed the sum of the other two, found (1, 1, 3)")]
     [TestCase(Head + """ "inertia": { "principal": [1, -1, 1] } } ] }""", "scene.json: bodies[0].inertia.principal: must have finite components above zero, found (1, -1, 1)")]
-    [TestCase(Head + """ "inertia": { "points": [[0, 0, 0], [1, 0, 0]] } } ] }""", "scene.json: bodies[0].inertia: must have finite components above zero, found (0, 0.25, 0.25)")]
+    [TestCase(Head + """ "inertia": { "points": [[0, 0, 0], [1, 0, 0]] } } ] }""", "scene.json: bodies[0].inertia.points: must have finite components above zero, found (0, 0.25, 0.25)")]
     [TestCase(Head + """ "inertia": { "points": [[0, 0, 0]], "masses": [1, 2] } } ] }""", "scene.json: bodies[0].inertia.masses: must be as many as there are points (1), at least one, found 2")]
+    [TestCase(Head + """ "inertia": { "solidCylinder": { "radius": -1, "height": 1 } } } ] }""", "scene.json: bodies[0].inertia.solidCylinder.radius: must be finite and above zero, found -1")]
+    [TestCase(Head + """ "inertia": { "solidCylinder": { "radius": 1 } } } ] }""", "scene.json: bodies[0].inertia.solidCylinder: \"height\" is missing")]
+    [TestCase(Head + """ "inertia": { "solidCapsule": { "radius": 1, "height": 1, "axis": "w" } } } ] }""", "scene.json: bodies[0].inertia.solidCapsule.axis: must be one of \"x\", \"y\", \"z\", found \"w\"")]
+    [TestCase(Head + """ "inertia": { "tensor": { "xx": 1, "yy": 1 } } } ] }""", "scene.json: bodies[0].inertia.tensor: \"zz\" is missing")]
+    [TestCase(Head + """ "inertia": { "tensor": { "xx": 1, "yy": 1, "zz": 3 } } } ] }""", "scene.json: bodies[0].inertia.tensor: no moment can exceed the sum of the other two")]
+    [TestCase(Head + """ "inertia": { "tensor": { "ixx": 1, "yy": 1, "zz": 1 } } } ] }""", "scene.json: bodies[0].inertia.tensor: \"xx\" is missing")]
+    [TestCase(Head + """ "inertia": { "compound": [] } } ] }""", "scene.json: bodies[0].inertia.compound: must be finite and above zero, found 0")]
+    [TestCase(Head + """ "mass": 2, "inertia": { "compound": [{ }] } } ] }""", "scene.json: bodies[0].mass: must not stand beside compound, whose parts say it")]
+    [TestCase(Head + """ "centerOfMass": [0, 0, 1], "inertia": { "compound": [{ }] } } ] }""", "scene.json: bodies[0].centerOfMass: must not stand beside compound, which says where it is")]
+    [TestCase(Head + """ "centerOfMass": [0, 0, 1], "inertia": { "points": [[0, 0, 0]] } } ] }""", "scene.json: bodies[0].centerOfMass: must not stand beside points, which says where it is")]
+    [TestCase(Head + """ "inertia": { "compound": [{ "inertia": { "compound": [{ "mass": -1 }] } }] } } ] }""", "scene.json: bodies[0].inertia.compound[0].inertia.compound[0].mass: must be finite and above zero, found -1")]
+    [TestCase(Head + """ "inertia": { "compound": [{ "weight": 1 }] } } ] }""", "scene.json: bodies[0].inertia.compound[0].weight: is not a name known here; known are mass, inertia, centerOfMass, about, position, orientation")]
+    [TestCase(Head + """ "about": "origin", "inertia": { "solidBox": [1, 1, 1] } } ] }""", "scene.json: bodies[0].about: is for principal and tensor only; solidBox is about its own centre of mass")]
+    [TestCase(Head + """ "about": "pivot", "inertia": { "principal": [1, 1, 1] } } ] }""", "scene.json: bodies[0].about: must be one of \"centerOfMass\", \"origin\", found \"pivot\"")]
+    [TestCase(Head + """ "about": "origin" } ] }""", "scene.json: bodies[0].about: is for principal and tensor only, and no inertia is given here")]
     [TestCase(Head + """ "orientation": [0, 0, 0, 0] } ] }""", "scene.json: bodies[0].orientation: must be a quaternion")]
     [TestCase(Head + """ "velocity": [1, 0, 0], "canMove": false } ] }""", "scene.json: bodies[0].velocity: must be zero along the locked x, y and z, found (1, 0, 0)")]
     [TestCase(Head + """ "angularVelocity": [0, 2, 1], "lock": { "turn": "xz" } } ] }""", "scene.json: bodies[0].angularVelocity: must be zero about the locked x and z, found (0, 2, 1)")]
@@ -59,7 +75,9 @@ public sealed class SceneErrorTests
     {
         string error = SceneText.Error(text);
 
-        Assert.That(error, Does.StartWith(expected.Replace("RULES", string.Join(", ", Rules.All.Select(rule => rule.Name)), StringComparison.Ordinal)));
+        Assert.That(error, Does.StartWith(expected
+            .Replace("RULES", string.Join(", ", Rules.All.Select(rule => rule.Name)), StringComparison.Ordinal)
+            .Replace("KINDS", string.Join(", ", InertiaReader.Names), StringComparison.Ordinal)));
         Assert.That(error, Does.Not.Contain("\n"));
     }
 

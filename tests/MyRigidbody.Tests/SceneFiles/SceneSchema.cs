@@ -5,26 +5,30 @@ using RigidBodyDynamics.Lab;
 
 namespace RigidBodyDynamics.Tests.SceneFiles;
 
-/// <summary>The JSON Schema of a scene with what the library and the reader's table know put in: effects and integrators.</summary>
+/// <summary>The JSON Schema of a scene with what the library and the reader's table know put in: effects, kinds of inertia and integrators.</summary>
 internal static class SceneSchema
 {
     private static readonly JsonSerializerOptions Indented = new() { WriteIndented = true, NewLine = "\n", Encoder = JavaScriptEncoder.UnsafeRelaxedJsonEscaping };
 
-    /// <summary>A schema once more, with today's effects and integrators.</summary>
+    /// <summary>A schema once more, with today's effects, kinds of inertia and integrators.</summary>
     public static string Renewed(string schema)
     {
         JsonNode root = JsonNode.Parse(schema)!, definitions = root["definitions"]!;
         definitions["effect"]!["oneOf"] = new JsonArray([.. EffectReader.Names.Select(Effect)]);
+        definitions["inertia"]!["oneOf"] = new JsonArray([.. InertiaReader.Names.Select(kind => Described(form => InertiaReader.Fill(kind, form)).Schema)]);
         definitions["body"]!["properties"]!["integrator"]!["enum"] = new JsonArray([.. Rules.All.Select(row => (JsonNode)row.Name)]);
         return root.ToJsonString(Indented) + "\n";
     }
 
     /// <summary>An effect with a value for every field it has.</summary>
-    public static JsonObject Sample(string effect) => new() { [effect] = Described(effect).Sample!.DeepClone() };
+    public static JsonObject Sample(string effect) => new() { [effect] = Effected(effect).Sample!.DeepClone() };
+
+    /// <summary>A kind of inertia with a value for every field it has.</summary>
+    public static JsonNode SampleInertia(string kind) => Described(form => InertiaReader.Fill(kind, form)).Sample!.DeepClone();
 
     private static JsonNode Effect(string name)
     {
-        JsonObject properties = new() { [name] = Described(name).Schema };
+        JsonObject properties = new() { [name] = Effected(name).Schema };
         if (EffectReader.HasWindow(name))
         {
             properties["from"] = About("Acts during the steps that start at from <= t, s; 0 if absent", "number");
@@ -36,10 +40,12 @@ internal static class SceneSchema
         return schema;
     }
 
-    private static DescribedForm Described(string effect)
+    private static DescribedForm Effected(string effect) => Described(form => EffectReader.Fill(effect, form));
+
+    private static DescribedForm Described(Action<Form> fill)
     {
         DescribedForm form = new();
-        EffectReader.Fill(effect, form);
+        fill(form);
         return form;
     }
 
@@ -90,12 +96,51 @@ internal sealed class DescribedForm : Form
         return new Vector3d(1, 1, 1);
     }
 
-    public override Vector3d[] Vectors(string about)
+    // large beside the other numbers, as a tensor's diagonal is
+    public override double Positive(string about)
     {
-        Is(about, new JsonArray(Ones));
-        Schema["type"] = "array";
-        Schema["items"] = ToVector;
-        return [new Vector3d(1, 1, 1)];
+        Is(about, 5);
+        Schema["type"] = "number";
+        Schema["exclusiveMinimum"] = 0;
+        return 5;
+    }
+
+    public override double[] Positives(string about)
+    {
+        Is(about, Of(Corners.Length, _ => 5));
+        IsListOf(new DescribedForm().Positively(), 1);
+        return [.. Corners.Select(_ => 5.0)];
+    }
+
+    public override Vector3d Lengths(string about)
+    {
+        Is(about, Ones);
+        IsListOf(new DescribedForm().Positively(), 3);
+        Schema["maxItems"] = 3;
+        return new Vector3d(1, 1, 1);
+    }
+
+    public override Quaterniond Turn(string about)
+    {
+        Is(about, new JsonArray(1, 0, 0, 0));
+        Schema["allOf"] = new JsonArray(Reference("quaternion"));
+        return Quaterniond.Identity;
+    }
+
+    // no body is made of points on a line
+    public override Vector3d[] Vectors(string about, int least)
+    {
+        Is(about, Of(Corners.Length, i => new JsonArray(Corners[i].X, Corners[i].Y, Corners[i].Z)));
+        IsListOf(ToVector, least);
+        return Corners;
+    }
+
+    public override T[] Parts<T>(string about, Func<Fields, T> read)
+    {
+        Is(about, JsonNode.Parse("""[{ "mass": 2, "inertia": { "solidSphere": 1 }, "position": [1, 0, 0], "orientation": [1, 0, 0, 1] }]""")!);
+        IsListOf(Reference("part"), 1);
+        using JsonDocument sample = JsonDocument.Parse(Sample!.ToJsonString());
+        return [read(new Place("sample", null, string.Empty, sample.RootElement[0]).Fields())];
     }
 
     public override int OneOf(string about, params string[] words)
@@ -133,9 +178,31 @@ internal sealed class DescribedForm : Form
         return read(form);
     }
 
+    public override bool Has(string field) => true;
+
     private static JsonArray Ones => new(1, 1, 1);
 
-    private static JsonObject ToVector => new() { ["$ref"] = "#/definitions/vector" };
+    private static Vector3d[] Corners => [new(1, 1, 1), new(0, 1, 0), new(0, 0, 1)];
+
+    private static JsonObject ToVector => Reference("vector");
+
+    private static JsonObject Reference(string definition) => new() { ["$ref"] = "#/definitions/" + definition };
+
+    private static JsonArray Of(int count, Func<int, JsonNode> item) => new([.. Enumerable.Range(0, count).Select(item)]);
+
+    private JsonObject Positively()
+    {
+        Positive(string.Empty);
+        return Schema;
+    }
+
+    private void IsListOf(JsonObject item, int least)
+    {
+        Schema["type"] = "array";
+        Schema["items"] = item;
+        if (least > 0)
+            Schema["minItems"] = least;
+    }
 
     private void Is(string about, JsonNode sample)
     {

@@ -32,16 +32,20 @@ internal static class SceneText
             { "name": "c", "inertia": { "solidSphere": 0.5 }, "count": 3, "seed": 7,
               "spread": { "position": [1, 2, 3], "orientation": 0.5, "velocity": [1, 1, 1], "angularVelocity": [1, 2, 1] } },
             { "name": "d", "inertia": { "solidBox": [1, 1, 2] }, "lock": { "move": "xz", "turn": "y" } },
-            { "name": "e", "inertia": { "points": [[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]], "masses": [1, 2, 3, 4] } }
+            { "name": "e", "inertia": { "points": [[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]], "masses": [1, 2, 3, 4] } },
+            { "name": "f", "about": "origin", "centerOfMass": [0, 0, 0.5], "inertia": { "tensor": { "xx": 3, "yy": 4, "zz": 5, "xy": 0.1, "xz": 0.2, "yz": 0.3 } } }KINDS
           ]
         }
         """;
 
-    /// <summary>A scene with every name of the format in it; an effect that is not written above stands in it with a value for every field.</summary>
-    public static string Everything { get; } = Written.Replace(
-        "OTHERS",
-        string.Concat(EffectReader.Names.Where(name => !Written.Contains($"\"{name}\"")).Select(name => ", " + SceneSchema.Sample(name).ToJsonString())),
-        StringComparison.Ordinal);
+    /// <summary>A scene with every name of the format in it; an effect or a kind of inertia that is not written above stands in it with a value for every field.</summary>
+    public static string Everything { get; } = Written
+        .Replace("OTHERS", string.Concat(Others(EffectReader.Names).Select(name => ", " + SceneSchema.Sample(name).ToJsonString())), StringComparison.Ordinal)
+        .Replace("KINDS", string.Concat(Others(InertiaReader.Names).Select(BodyOf)), StringComparison.Ordinal);
+
+    private static IEnumerable<string> Others(IEnumerable<string> names) => names.Where(name => !Written.Contains($"\"{name}\""));
+
+    private static string BodyOf(string kind) => $$""", { "name": "{{kind}}", "inertia": {{SceneSchema.SampleInertia(kind).ToJsonString()}} }""";
 
     /// <summary>The scene as a tree that can be changed.</summary>
     public static JsonNode Tree(string? text = null) =>
