@@ -18,7 +18,7 @@ namespace RigidBodyDynamics
             for (int i = 0; i < body.Effects.Count; i++)
             {
                 Effect effect = body.Effects[i];
-                if (!(effect.Motion is ICoast coast) || effect.From > 0 || !double.IsPositiveInfinity(effect.To))
+                if (!(effect.Coast is ICoast coast) || effect.From > 0 || !double.IsPositiveInfinity(effect.To))
                     throw Guard.Refused("effects[" + i + "]", effect.Motion, "must be gravity, a constant force or a damping that acts always");
 
                 coast.AddTo(ref _coasting, body.Mass);

@@ -1,30 +1,70 @@
-using System.Runtime.CompilerServices;
-
 namespace RigidBodyDynamics
 {
     /// <summary>
-    /// A constant force at the centre of mass. A body coasts with it as with gravity; by <c>UnityRigidbody</c>, whose sleep knows
-    /// forces, it is a push.
+    /// A force constant + sine · sin(rate t) + cosine · cos(rate t), in world or in body axes, at the centre of mass or at a point of the
+    /// body. With one that neither turns with the body nor swings, at the centre of mass, a body coasts as with gravity; by
+    /// <c>UnityRigidbody</c>, whose sleep knows forces, it is a push.
     /// </summary>
     public readonly struct Force : IPush, ICoast
     {
-        private readonly Vector3d _force;
+        private readonly Harmonic _force;
+        private readonly Vector3d _at;
+        private readonly bool _inBody, _hasPoint;
 
-        /// <summary>The force, N, world axes.</summary>
-        public Force(Vector3d force) => _force = Guard.Finite(force, "force");
+        /// <summary>A constant force, N.</summary>
+        /// <param name="force">N.</param>
+        /// <param name="at">The point of the body where it acts, body frame, m; the centre of mass if absent.</param>
+        /// <param name="inBody">True: along body axes, and turns with the body, as a thruster's. False: along world axes.</param>
+        public Force(Vector3d force, Vector3d? at = null, bool inBody = false)
+            : this(new Harmonic(force, Vector3d.Zero, Vector3d.Zero, 0, nameof(force)), at, inBody) { }
 
-        public EffectTraits Traits => EffectTraits.Moves | EffectTraits.HasPotential;
+        /// <summary>A force that swings, N, with rate in rad/s.</summary>
+        /// <param name="constant">The part that does not change, N.</param>
+        /// <param name="sine">Factor of sin(rate t), N.</param>
+        /// <param name="cosine">Factor of cos(rate t), N.</param>
+        /// <param name="rate">rad/s.</param>
+        /// <param name="at">The point of the body where it acts, body frame, m; the centre of mass if absent.</param>
+        /// <param name="inBody">True: along body axes, and turns with the body. False: along world axes.</param>
+        public Force(Vector3d constant, Vector3d sine, Vector3d cosine, double rate, Vector3d? at = null, bool inBody = false)
+            : this(new Harmonic(constant, sine, cosine, rate), at, inBody) { }
 
-        [MethodImpl(MethodImplOptions.AggressiveInlining)]
-        public void At(in Instant now, in BodyState body, MassProperties mass, ref Wrench wrench) => wrench.Force += _force;
+        private Force(in Harmonic force, Vector3d? at, bool inBody)
+        {
+            _force = force;
+            _hasPoint = at != null;
+            _at = Guard.Finite(at ?? Vector3d.Zero, nameof(at));
+            _inBody = inBody;
+        }
 
-        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        public EffectTraits Traits =>
+            EffectTraits.Moves
+            | (_hasPoint ? EffectTraits.Turns : EffectTraits.None)
+            | (_hasPoint || _inBody ? EffectTraits.ReadsOrientation : EffectTraits.None)
+            | (_force.Swings ? EffectTraits.ReadsTime : _inBody ? EffectTraits.None : EffectTraits.HasPotential);
+
+        public void At(in Instant now, in BodyState body, MassProperties mass, ref Wrench wrench) =>
+            Add(1, _force.Mean(now.Time, 0), body, mass, ref wrench);
+
         public void Over(in Instant now, double duration, in BodyState body, MassProperties mass, ref Wrench impulse) =>
-            impulse.Force += duration * _force;
+            Add(duration, _force.Mean(now.Time, now.IsHeld ? 0 : duration), body, mass, ref impulse);
 
-        public void AddTo(ref Coasting coasting, MassProperties mass) => coasting.Acceleration += _force / mass.Mass;
+        public void AddTo(ref Coasting coasting, MassProperties mass) => coasting.Acceleration += _force.Mean(0, 0) / mass.Mass;
 
         /// <summary>In words.</summary>
-        public override string ToString() => "force " + _force + " N";
+        public override string ToString() =>
+            "force " + _force + " N" + (_hasPoint ? " at " + _at + " m of the body" : string.Empty) + (_inBody ? ", body axes" : string.Empty);
+
+        private void Add(double duration, Vector3d force, in BodyState body, MassProperties mass, ref Wrench wrench)
+        {
+            wrench.Force += duration * (_inBody ? body.Orientation.Rotate(force) : force);
+            if (!_hasPoint)
+                return;
+
+            Vector3d arm = _at - mass.CenterOfMass;
+            if (_inBody)
+                wrench.BodyTorque += duration * Vector3d.Cross(arm, force);
+            else
+                wrench.Torque += duration * Vector3d.Cross(body.Orientation.Rotate(arm), force);
+        }
     }
 }

@@ -17,6 +17,10 @@ namespace RigidBodyDynamics
 
         /// <summary>The <see cref="IPush"/> or <see cref="ICoast"/> itself.</summary>
         public abstract IEffect Motion { get; }
+
+        /// <summary>The same where a body coasts with it; null where it depends on the time or the orientation.</summary>
+        internal ICoast Coast =>
+            (Motion.Traits & (EffectTraits.ReadsTime | EffectTraits.ReadsOrientation)) == 0 ? Motion as ICoast : null;
     }
 
     /// <summary>An effect that a body coasts with.</summary>

@@ -24,7 +24,7 @@ namespace RigidBodyDynamics
 
                 _effects.Add(effect);
                 PushEffect push = effect as PushEffect;
-                if (effect.Motion is ICoast coast && (push == null || body.Rule.CoastsUnderForces))
+                if (effect.Coast is ICoast coast && (push == null || body.Rule.CoastsUnderForces))
                 {
                     coast.AddTo(ref _coasting, body.Mass);
                     _coasts.Add(coast);

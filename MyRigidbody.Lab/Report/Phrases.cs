@@ -33,6 +33,9 @@ internal static class Phrases
             (@"\bangular damping\b", "角速度阻尼"),
             (@"\blinear damping\b", "速度阻尼"),
             (@"^v × (\S+), ω × (\S+) a step", "每步 v × $1、ω × $2"),
+            (@"^force (.*) N at (.*) m of the body, body axes$", "力 $1 N，作用于刚体上的点 $2 m，刚体坐标轴"),
+            (@"^force (.*) N at (.*) m of the body$", "力 $1 N，作用于刚体上的点 $2 m"),
+            (@"^force (.*) N, body axes$", "力 $1 N，刚体坐标轴"),
             (@"\bforce (?=\()", "力 "),
             ("^torque (.*), world axes$", "力矩 $1，世界坐标轴"),
             ("^torque (.*), body axes$", "力矩 $1，刚体坐标轴"),
@@ -45,7 +48,6 @@ internal static class Phrases
             (@"^a force for each of (\d+) steps, a torque for each of (\d+)$", "$1 步中每步一个力，$2 步中每步一个力矩"),
             (@"^drag (\S+) abs\(v\) v N$", "阻力 $1 abs(v) v N"),
             ("^spring (.*) from (.*) to (.*)$", "弹簧 $1，从 $2 到 $3"),
-            ("^thrust (.*) N at (.*) m, body axes$", "推力 $1 N，作用点 $2 m，刚体坐标轴"),
             ("^heavy top, m g l = (.*) along (.*), up (.*)$", "重陀螺，m g l = $1，沿 $2，向上为 $3"),
 
             // when

@@ -8,9 +8,18 @@ internal static class EffectReader
     private static readonly Dictionary<string, Func<Form, Func<Window, BodyDescription>>> Effects = new()
     {
         ["gravity"] = Coast(form => new Gravity(form.Vector("Acceleration, m/s^2"))),
-        ["force"] = Push(form => new Force(form.Vector("N, world axes, at the centre of mass"))),
+        ["force"] = Push(form => form.VectorOrObject(
+            "N: constant + sin * sin(rate t) + cos * cos(rate t), at a point of the body",
+            shorthand => new Force(shorthand.Vector("N, world axes, at the centre of mass")),
+            of => new Force(
+                inBody: InBody(of),
+                constant: of.Or("constant", Vector3d.Zero, force => force.Vector("N")),
+                sine: of.Or("sin", Vector3d.Zero, force => force.Vector("N")),
+                cosine: of.Or("cos", Vector3d.Zero, force => force.Vector("N")),
+                rate: of.Or("rate", 1, rate => rate.Number("rad/s, 1 if absent")),
+                at: At(of)))),
         ["torque"] = Push(form => form.Object("N m: constant + sin * sin(rate t) + cos * cos(rate t)", of => new Torque(
-            inBody: of.Or("frame", 0, axes => axes.OneOf("Axes of the torque; world if absent", "world", "body")) == 1,
+            inBody: InBody(of),
             constant: of.Or("constant", Vector3d.Zero, torque => torque.Vector("N m")),
             sine: of.Or("sin", Vector3d.Zero, torque => torque.Vector("N m")),
             cosine: of.Or("cos", Vector3d.Zero, torque => torque.Vector("N m")),
@@ -26,9 +35,6 @@ internal static class EffectReader
             of => new DecayPerStep(
                 of.Or("linear", 1, factor => factor.Number("On the velocity, 1 if absent", 0, 1)),
                 of.Or("angular", 1, factor => factor.Number("On the angular velocity, 1 if absent", 0, 1))))),
-        ["thrust"] = Push(form => form.Object("A force fixed in the body", of => new Thrust(
-            of["force"].Vector("N, body axes"),
-            of.Or("point", Vector3d.Zero, point => point.Vector("Where it acts, body frame, m; the origin if absent"))))),
         ["spring"] = Push(form => form.Object("From a point of the body to a point of the world", of => new Spring(
             of.Or("anchor", Vector3d.Zero, anchor => anchor.Vector("Body frame, m; the origin if absent")),
             of["at"].Vector("World, m"),
@@ -89,6 +95,11 @@ internal static class EffectReader
         ICoast coast = read(form);
         return window => window.Body.With(coast, window.From, window.To);
     };
+
+    private static bool InBody(Form of) => of.Or("frame", 0, axes => axes.OneOf("Axes; world if absent", "world", "body")) == 1;
+
+    private static Vector3d? At(Form of) =>
+        of.Or("at", default(Vector3d?), at => at.Vector("The point of the body where it acts, body frame, m; the centre of mass if absent"));
 
     private static DecayPerStep Same(double factor) => new(factor, factor);
 

@@ -39,6 +39,9 @@ internal abstract class Form
     /// <summary>A number or an object.</summary>
     public abstract T NumberOrObject<T>(string about, Func<Form, T> number, Func<Form, T> fields);
 
+    /// <summary>[x, y, z] or an object.</summary>
+    public abstract T VectorOrObject<T>(string about, Func<Form, T> vector, Func<Form, T> fields);
+
     /// <summary>A field of this object that must be there.</summary>
     public abstract Form this[string field] { get; }
 
@@ -98,6 +101,13 @@ internal sealed class FilledForm(Place place) : Form
         System.Text.Json.JsonValueKind.Number => number(this),
         System.Text.Json.JsonValueKind.Object => Object(about, fields),
         _ => throw place.Not("a number or an object { … }"),
+    };
+
+    public override T VectorOrObject<T>(string about, Func<Form, T> vector, Func<Form, T> fields) => place.Value.ValueKind switch
+    {
+        System.Text.Json.JsonValueKind.Array => vector(this),
+        System.Text.Json.JsonValueKind.Object => Object(about, fields),
+        _ => throw place.Not("three numbers [x, y, z] or an object { … }"),
     };
 
     public override T Or<T>(string field, T otherwise, Func<Form, T> read) =>

@@ -92,7 +92,7 @@ namespace RigidBodyDynamics.BitHash
                 .With(new KeyPush(LabKey.RightArrow), 1, 2)
                 .With(new QuadraticDrag(0.01))
                 .With(new Spring(new Vector3d(0, 0.5, 0), new Vector3d(0, 3, 0), 4), 10, 160)
-                .With(new Thrust(new Vector3d(0.2, 0, -0.1), new Vector3d(0, 0.3, 0)), 50, 60)
+                .With(new Force(new Vector3d(0.2, 0, -0.1), at: new Vector3d(0, 0.3, 0), inBody: true), 50, 60)
                 .With(new HeavyTop(new Vector3d(0, 0, 1), 0.4, new Vector3d(0, 1, 0)), 40, 50)
                 .With(new PerStep(kicks, kicks));
         }

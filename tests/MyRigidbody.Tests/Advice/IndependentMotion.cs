@@ -110,7 +110,7 @@ internal sealed class IndependentMotion
         Wrench wrench = default;
         foreach (Effect effect in _body.Effects.Where(effect => effect.From <= since && since < effect.To))
         {
-            if (effect.Motion is ICoast coast)
+            if (effect.Coast is ICoast coast)
                 coast.AddTo(ref coasting, _body.Mass);
             else
                 ((IPush)effect.Motion).At(new Instant(0, time), state, _body.Mass, ref wrench);

@@ -22,7 +22,7 @@ public sealed class OneStepForceTests
     [TestCaseSource(typeof(Scenery), nameof(Scenery.Integrators))]
     public void Force_at_a_point_and_torque_in_body_axes(string rule) => Equals(
         rule,
-        body => body.With(new Thrust(F, P), 10 * H, 11 * H).With(new Torque(T, Vector3d.Zero, Vector3d.Zero, 0, inBody: true), 10 * H, 11 * H),
+        body => body.With(new Force(F, at: P, inBody: true), 10 * H, 11 * H).With(new Torque(T, Vector3d.Zero, Vector3d.Zero, 0, inBody: true), 10 * H, 11 * H),
         body =>
         {
             body.ApplyForce(F, P, inBody: true);
@@ -72,7 +72,7 @@ public sealed class OneStepForceTests
     {
         // nothing of the body's own effects is lost in the steps in which it is pushed, not at the edges of windows either
         Simulation applied = new(TimeSteps.Every(H)), acting = new(TimeSteps.Every(H));
-        Body pushed = applied.Add(Busy()), bound = acting.Add(Busy().With(new Thrust(F, P), 4 * H, 36 * H));
+        Body pushed = applied.Add(Busy()), bound = acting.Add(Busy().With(new Force(F, at: P, inBody: true), 4 * H, 36 * H));
         for (int n = 0; n < 64; n++)
         {
             if (n >= 4 && n < 36)
@@ -114,7 +114,7 @@ public sealed class OneStepForceTests
     {
         Rule rule = Rules.Named(name);
         Vector3d moments = rule.Keeps.HasFlag(Keeps.Motion) ? MeasuredOrder.Moments : MeasuredOrder.Cube;
-        OrderedEffect thrust = new("thrust at " + P, (body, _, from, to) => body.With(new Thrust(F, P), from, to), _ => new Thrust(F, P));
+        OrderedEffect thrust = new("thrust at " + P, (body, _, from, to) => body.With(new Force(F, at: P, inBody: true), from, to), _ => new Force(F, at: P, inBody: true));
         double order = MeasuredOrder.Of(rule.Order, Run, MeasuredOrder.Truth(moments, inWindow: false, thrust));
         TestContext.Out.WriteLine($"{order:f2}");
         Assert.That(order, Is.EqualTo(rule.Order).Within(0.15)); // off by 0.03 at most

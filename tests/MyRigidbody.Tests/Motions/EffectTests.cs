@@ -111,7 +111,8 @@ public sealed class EffectTests
         yield return new TestCaseData(new KeyPush(LabKey.UpArrow), "key UpArrow");
         yield return new TestCaseData(new QuadraticDrag(0.25), "drag 0.25 abs(v) v N");
         yield return new TestCaseData(new Spring(x, y, 4.5), "spring 4.5 N/m from (1, 0, 0) to (0, 3, 0)");
-        yield return new TestCaseData(new Thrust(y, x), "thrust (0, 3, 0) N at (1, 0, 0) m, body axes");
+        yield return new TestCaseData(new Force(y, at: x, inBody: true), "force (0, 3, 0) N at (1, 0, 0) m of the body, body axes");
+        yield return new TestCaseData(new Force(x, ones, y, 1.5), "force (1, 0, 0) + (1, 1, 1) sin(1.5 t) + (0, 3, 0) cos(1.5 t) N");
         yield return new TestCaseData(new HeavyTop(2 * x, 3.5, y), "heavy top, m g l = 3.5 N m along (1, 0, 0), up (0, 1, 0)");
         yield return new TestCaseData(new PerStep(Kicks, []), "a force for each of 2 steps, a torque for each of 0");
         yield return new TestCaseData(Torque.Constant(ones), "torque (1, 1, 1) N m, world axes");

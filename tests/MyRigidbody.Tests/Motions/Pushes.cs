@@ -45,6 +45,11 @@ internal static class Pushes
         Torque swinging = new(a, b, c, 1.3, inBody: true);
         yield return Case("nothing", default(Nothing));
         yield return Case("force", force);
+        yield return Case("force at a point, world axes", new Force(a, at: b));
+        yield return Case("force at a point, body axes", new Force(a, at: b, inBody: true));
+        yield return Case("force in body axes at the centre of mass", new Force(c, inBody: true));
+        yield return Case("swinging force, world axes", new Force(a, b, c, 1.3));
+        yield return Case("swinging force at a point, body axes", new Force(a, b, c, -0.7, at: c, inBody: true));
         foreach (LabKey key in Enum.GetValues<LabKey>())
             yield return Case("key " + key, new KeyPush(key));
         yield return Case("constant torque", Torque.Constant(a));

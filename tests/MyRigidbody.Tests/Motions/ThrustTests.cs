@@ -19,7 +19,7 @@ public sealed class ThrustTests
         BodyState quarter = BodyState.AtRest;
         quarter.Orientation = new Quaterniond(Math.Sqrt(0.5), 0, 0, Math.Sqrt(0.5));
         Wrench wrench = default;
-        new Thrust(new Vector3d(3, 0, 0), Centre + new Vector3d(0, 2, 0)).At(Pushes.Now, quarter, mass, ref wrench);
+        new Force(new Vector3d(3, 0, 0), at: Centre + new Vector3d(0, 2, 0), inBody: true).At(Pushes.Now, quarter, mass, ref wrench);
         Assert.That(Apart(wrench.Force, new Vector3d(0, 3, 0)), Is.LessThan(2e-15)); // measured 4.4e-16
         Assert.That(Apart(wrench.TorqueInWorld(quarter.Orientation), new Vector3d(0, 0, -6)), Is.LessThan(2e-15)); // measured 0
     }
@@ -27,7 +27,7 @@ public sealed class ThrustTests
     [TestCaseSource(nameof(Compositions))]
     public void Thrust_along_the_axis_of_spin_gives_v_and_x_as_a_constant_force_does(string rule)
     {
-        BodyState end = Run(rule, 100, new Thrust(Newton * Z, Centre));
+        BodyState end = Run(rule, 100, new Force(Newton * Z, at: Centre, inBody: true));
         double a = Newton / Kilograms, t = MeasuredOrder.Time;
         Assert.That(Apart(end.Velocity, a * t * Z), Is.LessThan(2e-15)); // measured 4.4e-16
         Assert.That(Apart(CentreOf(end), 0.5 * a * t * t * Z + Centre), Is.LessThan(4e-15)); // measured 8.9e-16
@@ -55,7 +55,7 @@ public sealed class ThrustTests
     public void Rule_keeps_its_order_under_a_thruster_beside_the_centre_of_mass(string rule)
     {
         // along x at a point of the y axis: it turns the body ever faster about z, and drives it along an arc
-        Thrust thrust = new(new Vector3d(Newton, 0, 0), Centre + new Vector3d(0, -0.5, 0));
+        Force thrust = new(new Vector3d(Newton, 0, 0), at: Centre + new Vector3d(0, -0.5, 0), inBody: true);
         int declared = Rules.Named(rule).Order;
         double order = MeasuredOrder.Of(declared, steps => Run(rule, steps, thrust), Driven(0.5 * Newton / Moments.Z));
         TestContext.Out.WriteLine($"{order:f2}");

@@ -51,7 +51,7 @@ public sealed partial class WordsTests
     {
         List<string> left = [];
         IEnumerable<SceneDescription> gallery = Scenes.Select(path => SceneReader.Read(path).Scene);
-        IEnumerable<SceneDescription> others = Scenery.Integrators.Select(name => new SceneDescription(name, string.Empty, TimeSteps.Every(0.02, 100), [Scenery.Body(name), Scenery.Busy(name, "busy").With(new QuadraticDrag(0.1)).With(new HeldKeys(new LabKeyboard())).With(new Thrust(Vector3d.Zero, Vector3d.Zero))]));
+        IEnumerable<SceneDescription> others = Scenery.Integrators.Select(name => new SceneDescription(name, string.Empty, TimeSteps.Every(0.02, 100), [Scenery.Body(name), Scenery.Busy(name, "busy").With(new QuadraticDrag(0.1)).With(new HeldKeys(new LabKeyboard())).With(new Force(Vector3d.Zero, at: Vector3d.Zero, inBody: true)).With(new Force(Vector3d.Zero, Vector3d.Zero, new Vector3d(1, 0, 0), 2, at: Vector3d.Zero))]));
         foreach (BodyPlan plan in gallery.Concat(others).SelectMany(scene => new Simulation(scene).Bodies).Select(body => body.Plan))
         {
             Explanation explanation = new(plan);

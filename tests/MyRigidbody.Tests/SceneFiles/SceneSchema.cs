@@ -161,11 +161,16 @@ internal sealed class DescribedForm : Form
         return made;
     }
 
-    public override T NumberOrObject<T>(string about, Func<Form, T> number, Func<Form, T> fields)
+    public override T NumberOrObject<T>(string about, Func<Form, T> number, Func<Form, T> fields) =>
+        Either(about, number, "One number for each", fields);
+
+    public override T VectorOrObject<T>(string about, Func<Form, T> vector, Func<Form, T> fields) => Either(about, vector, string.Empty, fields);
+
+    private T Either<T>(string about, Func<Form, T> shorthand, string aboutFields, Func<Form, T> fields)
     {
         DescribedForm one = new(), many = new();
-        number(one);
-        T made = many.Object("One number for each", fields);
+        shorthand(one);
+        T made = many.Object(aboutFields, fields);
         Is(about, many.Sample!);
         Schema["oneOf"] = new JsonArray(one.Schema, many.Schema);
         return made;

@@ -21,7 +21,7 @@ internal static class SceneText
                 { "torque": { "frame": "body", "constant": [1, 0, 0], "sin": [0, 1, 0], "cos": [0, 0, 1], "rate": 2 } },
                 { "linearDamping": 0.1 }, { "angularDamping": 0.2 }, { "quadraticDrag": 0.3 }, { "decayPerStep": 0.98 },
                 { "decayPerStep": { "linear": 0.99, "angular": 0.98 } },
-                { "thrust": { "force": [0, 2, 0], "point": [0.5, 0, 0] } },
+                { "force": { "frame": "body", "constant": [0, 2, 0], "sin": [1, 0, 0], "cos": [0, 0, 1], "rate": 3, "at": [0.5, 0, 0] } },
                 { "spring": { "anchor": [0, 1, 0], "at": [0, 2, 0], "stiffness": 3 } },
                 { "heavyTop": { "axis": [0, 0, 1], "moment": 3, "up": [0, 1, 0] } },
                 { "perStep": { "force": [[1, 0, 0]], "torque": [[0, 1, 0], [0, 0, 1]] } }OTHERS

@@ -1,0 +1,54 @@
+using System.Globalization;
+using System.Runtime.CompilerServices;
+
+namespace RigidBodyDynamics
+{
+    /// <summary>A vector that changes as constant + sine · sin(rate t) + cosine · cos(rate t): what <see cref="Force"/> and <see cref="Torque"/> have in common.</summary>
+    internal readonly struct Harmonic
+    {
+        private readonly Vector3d _constant;
+        private readonly Vector3d _sine;
+        private readonly Vector3d _cosine;
+        private readonly double _rate;
+
+        /// <summary>True unless it is the same at all times.</summary>
+        public readonly bool Swings;
+
+        public Harmonic(Vector3d constant, Vector3d sine, Vector3d cosine, double rate, string name = "constant")
+        {
+            _constant = Guard.Finite(constant, name);
+            _sine = Guard.Finite(sine, "sin");
+            _cosine = Guard.Finite(cosine, "cos");
+            _rate = Guard.Finite(rate, "rate");
+            Swings = !(sine.IsZero && cosine.IsZero);
+        }
+
+        /// <summary>
+        /// The mean over a time. The mean of sin(rate t) from t to t + h is sin at the middle, times sin(z)/z with z = rate h/2; no
+        /// difference of cosines that would cancel for short steps.
+        /// </summary>
+        // a sine is long, and the step around it is compiled well only while it is short
+        [MethodImpl(MethodImplOptions.NoInlining)]
+        public Vector3d Mean(double time, double duration)
+        {
+            if (!Swings)
+                return _constant;
+
+            double z = 0.5 * _rate * duration;
+            double spread = duration == 0 ? 1 : Spread(z);
+            Elementary.SinCos(_rate * (time + 0.5 * duration), out double sin, out double cos);
+            return _constant + spread * (sin * _sine + cos * _cosine);
+        }
+
+        /// <summary>In words.</summary>
+        public override string ToString() => !Swings ? _constant.ToString() : string.Format(
+            CultureInfo.InvariantCulture, "{0} + {1} sin({3:R} t) + {2} cos({3:R} t)", _constant, _sine, _cosine, _rate);
+
+        // sin(z)/z; its series where the first term left out is below a rounding
+        private static double Spread(double z)
+        {
+            double zz = z * z;
+            return zz > 0.01 ? Elementary.Sin(z) / z : 1 - zz / 6 * (1 - zz / 20 * (1 - zz / 42 * (1 - zz / 72)));
+        }
+    }
+}
