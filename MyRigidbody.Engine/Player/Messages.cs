@@ -1,5 +1,6 @@
 using System;
 using System.Collections.Generic;
+using System.Linq;
 using System.Reflection;
 using UnityEngine;
 
@@ -9,6 +10,12 @@ namespace RigidBodyDynamics.Engine
     internal static class Messages
     {
         private const BindingFlags Own = BindingFlags.Instance | BindingFlags.Public | BindingFlags.NonPublic | BindingFlags.DeclaredOnly;
+        private static readonly RuntimeInitializeLoadType[] Begins =
+        {
+            RuntimeInitializeLoadType.SubsystemRegistration, RuntimeInitializeLoadType.AfterAssembliesLoaded,
+            RuntimeInitializeLoadType.BeforeSplashScreen, RuntimeInitializeLoadType.BeforeSceneLoad, RuntimeInitializeLoadType.AfterSceneLoad,
+        };
+
         private static readonly Dictionary<(Type, string), MethodInfo> Found = new Dictionary<(Type, string), MethodInfo>();
 
         /// <summary>True where who plays wants to see what a script throws.</summary>
@@ -43,14 +50,11 @@ namespace RigidBodyDynamics.Engine
         /// <summary>What scripts have called when the game begins.</summary>
         public static void CallInitializers()
         {
-            foreach (Type type in typeof(Messages).Assembly.GetTypes())
-            {
-                foreach (MethodInfo method in type.GetMethods(BindingFlags.Static | BindingFlags.Public | BindingFlags.NonPublic | BindingFlags.DeclaredOnly))
-                {
-                    if (method.IsDefined(typeof(RuntimeInitializeOnLoadMethodAttribute)))
-                        method.Invoke(null, null);
-                }
-            }
+            IEnumerable<MethodInfo> initializers = typeof(Messages).Assembly.GetTypes()
+                .SelectMany(type => type.GetMethods(BindingFlags.Static | BindingFlags.Public | BindingFlags.NonPublic | BindingFlags.DeclaredOnly))
+                .Where(method => method.IsDefined(typeof(RuntimeInitializeOnLoadMethodAttribute)));
+            foreach (MethodInfo method in initializers.OrderBy(method => Array.IndexOf(Begins, method.GetCustomAttribute<RuntimeInitializeOnLoadMethodAttribute>().loadType)))
+                method.Invoke(null, null);
         }
 
         /// <summary>Forgets the scripts of a world that has ended: their assemblies may go.</summary>

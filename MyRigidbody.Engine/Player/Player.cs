@@ -66,6 +66,9 @@ namespace RigidBodyDynamics.Engine
         /// <summary>The window gets or loses the keyboard.</summary>
         public static void Focus(bool hasFocus) => Tell("OnApplicationFocus", hasFocus);
 
+        /// <summary>The game is paused by the system, or goes on.</summary>
+        public static void Pause(bool isPaused) => Tell("OnApplicationPause", isPaused);
+
         /// <summary>Runs a test that waits: null for the next frame, WaitForFixedUpdate for the next fixed step.</summary>
         public static void Run(IEnumerator test)
         {
@@ -113,7 +116,7 @@ namespace RigidBodyDynamics.Engine
         {
             foreach (MonoBehaviour script in World.Scripts.ToArray())
             {
-                if (script && (script.isActiveAndEnabled || message == "OnApplicationFocus"))
+                if (script && (script.isActiveAndEnabled || message.StartsWith("OnApplication", StringComparison.Ordinal)))
                 {
                     script.StartIfDue();
                     Messages.Send(script, message, arguments);

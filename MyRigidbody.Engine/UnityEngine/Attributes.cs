@@ -58,6 +58,20 @@ namespace UnityEngine
     public class RuntimeInitializeOnLoadMethodAttribute : Attribute
     {
         public RuntimeInitializeOnLoadMethodAttribute() { }
+
+        public RuntimeInitializeOnLoadMethodAttribute(RuntimeInitializeLoadType loadType) => this.loadType = loadType;
+
+        public RuntimeInitializeLoadType loadType { get; }
+    }
+
+    /// <summary>When it is called: first SubsystemRegistration, then AfterAssembliesLoaded, BeforeSplashScreen, BeforeSceneLoad, AfterSceneLoad.</summary>
+    public enum RuntimeInitializeLoadType
+    {
+        AfterSceneLoad,
+        BeforeSceneLoad,
+        AfterAssembliesLoaded,
+        BeforeSplashScreen,
+        SubsystemRegistration,
     }
 
     /// <summary>The least and the greatest value of a field in the inspector.</summary>

@@ -26,7 +26,8 @@ public sealed class PackageCompileTests
     {
         UnityCompiler compiler = new(Unpacked(), symbols);
 
-        Assert.That(compiler.Assemblies, Is.EquivalentTo(new[] { "MyRigidbody.Core", "MyRigidbody.Scripts", "MyRigidbody.Editor" }));
+        string[] always = ["MyRigidbody.Core", "MyRigidbody.Scripts", "MyRigidbody.Editor"];
+        Assert.That(compiler.Assemblies, Is.EquivalentTo(symbols.Contains("ENABLE_INPUT_SYSTEM") ? [.. always, "MyRigidbody.InputSystem"] : always));
         Assert.That(compiler.Homeless, Is.Empty);
         foreach (string assembly in compiler.Assemblies)
             Assert.That(compiler.Complaints(assembly), Is.Empty, assembly);

@@ -23,7 +23,7 @@ internal sealed class UnityCompiler
     private readonly Dictionary<string, CompilationReference> _compiled = [];
     private readonly IReadOnlyList<Asset> _assets;
     private readonly CSharpParseOptions _options;
-    private readonly MetadataReference _engine;
+    private readonly MetadataReference? _engine;
 
     /// <summary>Compiles with the symbols of a version.</summary>
     public UnityCompiler(IReadOnlyList<Asset> assets, params string[] symbols)
@@ -34,11 +34,17 @@ internal sealed class UnityCompiler
         {
             JsonElement definition = JsonDocument.Parse(asset.Content).RootElement;
             string name = definition.GetProperty("name").GetString()!;
-            _definitions.Add(name, definition);
             _folders.Add(name, asset.Path[..(asset.Path.LastIndexOf('/') + 1)]);
+            // every package that an asmdef asks the version of is there where its symbol of Unity's is
+            IEnumerable<string> versions = definition.GetProperty("versionDefines").EnumerateArray().Select(define => define.GetProperty("define").GetString()!);
+            if (definition.GetProperty("defineConstraints").EnumerateArray().Any(symbol => !symbols.Concat(versions).Contains(symbol.GetString())))
+                continue;
+
+            _definitions.Add(name, definition);
         }
 
-        _engine = Engine();
+        _engine = Stub("UnityEngine", "MyRigidbody.Engine/UnityEngine", "tests/UnityStubs/Editor");
+        _compiled.Add("Unity.InputSystem", Stub("Unity.InputSystem", "tests/UnityStubs/InputSystem"));
     }
 
     /// <summary>The names of the assemblies.</summary>
@@ -52,7 +58,7 @@ internal sealed class UnityCompiler
         Compile(assembly).Compilation.GetDiagnostics().Where(found => found.Severity >= DiagnosticSeverity.Warning).Select(found => found.ToString());
 
     /// <summary>What it has to say of the scripts that no asmdef takes: the student's own assembly.</summary>
-    public IEnumerable<string> ComplaintsOfStudents() => Compilation("Assembly-CSharp", _assets.Where(asset => Homeless.Contains(asset.Path)), [.. Standard, _engine])
+    public IEnumerable<string> ComplaintsOfStudents() => Compilation("Assembly-CSharp", _assets.Where(asset => Homeless.Contains(asset.Path)), [.. Standard, _engine!])
         .GetDiagnostics().Where(found => found.Severity >= DiagnosticSeverity.Warning).Select(found => found.ToString());
 
     private CompilationReference Compile(string assembly)
@@ -64,7 +70,7 @@ internal sealed class UnityCompiler
         List<MetadataReference> references = [.. Standard];
         references.AddRange(definition.GetProperty("references").EnumerateArray().Select(reference => Compile(reference.GetString()!)));
         if (!definition.GetProperty("noEngineReferences").GetBoolean())
-            references.Add(_engine);
+            references.Add(_engine!);
 
         IEnumerable<Asset> scripts = _assets.Where(asset => asset.Path.EndsWith(".cs", StringComparison.Ordinal) && Owner(asset.Path) == assembly);
         return _compiled[assembly] = (CompilationReference)Compilation(assembly, scripts, references).ToMetadataReference();
@@ -77,11 +83,11 @@ internal sealed class UnityCompiler
         new CSharpCompilationOptions(OutputKind.DynamicallyLinkedLibrary));
 
     // only the signatures of the stand-in are needed, so what its bodies call may be missing; its own projects compile those
-    private CompilationReference Engine() => (CompilationReference)CSharpCompilation.Create(
-        "UnityEngine",
-        new[] { "MyRigidbody.Engine/UnityEngine", "tests/UnityStubs/Editor" }.SelectMany(folder => Tree.Files(folder, "*.cs"))
+    private CompilationReference Stub(string name, params string[] folders) => (CompilationReference)CSharpCompilation.Create(
+        name,
+        folders.SelectMany(folder => Tree.Files(folder, "*.cs"))
             .Select(path => CSharpSyntaxTree.ParseText(Tree.Text(path), _options, path)),
-        Standard,
+        [.. Standard, .. _engine == null ? Array.Empty<MetadataReference>() : [_engine]],
         new CSharpCompilationOptions(OutputKind.DynamicallyLinkedLibrary)).ToMetadataReference();
 
     private IEnumerable<string> Scripts() => _assets.Select(asset => asset.Path).Where(path => path.EndsWith(".cs", StringComparison.Ordinal));

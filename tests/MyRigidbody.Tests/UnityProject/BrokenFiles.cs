@@ -8,7 +8,7 @@ namespace RigidBodyDynamics.Tests.UnityProject;
 internal static class BrokenFiles
 {
     private const string Meta = Sources + "Panel.cs.meta", Manifest = "UnityProject/Packages/manifest.json", Package = "MyRigidbody.Core/package.json";
-    private const string ScriptsAssembly = Sources + "MyRigidbody.Scripts.asmdef", BuildSettings = Settings + "EditorBuildSettings.asset";
+    private const string ScriptsAssembly = Sources + "MyRigidbody.Scripts.asmdef", InputAssembly = Assets + "InputSystem/MyRigidbody.InputSystem.asmdef", BuildSettings = Settings + "EditorBuildSettings.asset";
 
     public static IEnumerable<TestCaseData> All() => [.. Metas(), .. MadeUp(), .. Assemblies(), .. ProjectSettings(), .. Packages()];
 
@@ -54,6 +54,14 @@ internal static class BrokenFiles
             "platforms both in and out",
             Replace(Assets + "Editor/MyRigidbody.Editor.asmdef", "\"excludePlatforms\": []", "\"excludePlatforms\": [\"WSA\"]"),
             "includes and excludes platforms"),
+        Found(
+            "an assembly that needs a package which may be missing",
+            Replace(InputAssembly, ", \"MYRIGIDBODY_HAS_INPUT_SYSTEM\"", ""),
+            "is not left out where com.unity.inputsystem is missing"),
+        Found(
+            "an assembly that is left out for another package's sake",
+            Replace(InputAssembly, "\"com.unity.inputsystem\"", "\"com.unity.input\""),
+            "is not left out where com.unity.inputsystem is missing"),
         Found("an assembly that is no JSON", Real.With(ScriptsAssembly, "{"), "is not a JSON object with a name"),
         Found("a script in no assembly", Real.With(Assets + "Loose.cs", ""), "Loose.cs: is in no assembly of ours"),
     ];

@@ -17,6 +17,9 @@ internal static class Assemblies
     // what the test framework brings
     private static readonly string[] Others = ["UnityEngine.TestRunner", "UnityEditor.TestRunner"];
 
+    // assemblies of packages that a project may have or not, and the packages
+    private static readonly Dictionary<string, string> Optional = new() { ["Unity.InputSystem"] = "com.unity.inputsystem" };
+
     /// <summary>What is wrong.</summary>
     public static IEnumerable<string> Findings(ProjectFiles files)
     {
@@ -43,8 +46,11 @@ internal static class Assemblies
             foreach (string unknown in root.EnumerateObject().Select(field => field.Name).Except(Known))
                 yield return $"{path}: {unknown} is not known to Unity 2019.4";
 
-            foreach (string missing in Texts(root, "references").Except(names.Keys).Except(Others))
+            foreach (string missing in Texts(root, "references").Except(names.Keys).Except(Others).Except(Optional.Keys))
                 yield return $"{path}: refers to {missing}, which is no assembly here";
+
+            foreach (string optional in Texts(root, "references").Where(reference => Optional.ContainsKey(reference) && !IsLeftOutWithout(Optional[reference], root)))
+                yield return $"{path}: refers to {optional}, and is not left out where {Optional[optional]} is missing";
 
             if (Texts(root, "includePlatforms").Length > 0 && Texts(root, "excludePlatforms").Length > 0)
                 yield return $"{path}: includes and excludes platforms";
@@ -58,6 +64,12 @@ internal static class Assemblies
                 yield return isStudents ? $"{script}: must be in no assembly of ours" : $"{script}: is in no assembly of ours";
         }
     }
+
+    // a symbol that the package's version defines, and that the assembly cannot do without
+    private static bool IsLeftOutWithout(string package, JsonElement root) =>
+        root.TryGetProperty("versionDefines", out JsonElement defines)
+        && defines.EnumerateArray().Where(define => define.GetProperty("name").GetString() == package)
+            .Select(define => define.GetProperty("define").GetString()).Intersect(Texts(root, "defineConstraints")).Any();
 
     private static JsonElement? Parsed(string json)
     {

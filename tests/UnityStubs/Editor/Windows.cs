@@ -17,15 +17,6 @@ namespace UnityEditor
         public void Repaint() { }
     }
 
-    /// <summary>The editor itself.</summary>
-    public sealed class EditorApplication
-    {
-        public delegate void CallbackFunction();
-
-        /// <summary>What is called once, after the present event.</summary>
-        public static CallbackFunction delayCall;
-    }
-
     /// <summary>Puts a static method into a menu.</summary>
     [AttributeUsage(AttributeTargets.Method)]
     public sealed class MenuItem : Attribute

@@ -105,6 +105,12 @@ namespace RigidBodyDynamics.Scripts
                 LabInput.LetGo();
         }
 
+        private void OnApplicationPause(bool isPaused)
+        {
+            if (isPaused)
+                LabInput.LetGo();
+        }
+
         /// <summary>One fixed step of all bodies, those of the engine too; pauses before it. A student's script has the next frame.</summary>
         public void StepOnce()
         {

@@ -4,8 +4,8 @@ using UnityEngine;
 namespace RigidBodyDynamics.Scripts
 {
     /// <summary>
-    /// Which of the lab's keys are held: on the keyboard, by Unity's Input where the project has it, else by the events of
-    /// the immediate-mode GUI; or on the buttons of the panel.
+    /// Which of the lab's keys are held: on the keyboard, by Unity's Input where the project has it, else by the Input System where
+    /// that is, else by the events of the immediate-mode GUI; or on the buttons of the panel.
     /// </summary>
     public static class LabInput
     {
@@ -16,8 +16,14 @@ namespace RigidBodyDynamics.Scripts
         private static readonly bool[] InEvents = new bool[5];
         private static readonly bool[] OnScreen = new bool[5];
 
+        /// <summary>
+        /// How to ask the keyboard where there is no Input; null where nobody knows. The assembly MyRigidbody.InputSystem, which
+        /// is there where the Input System is, says it before the first scene is loaded.
+        /// </summary>
+        public static Func<LabKey, bool> Keyboard { get; set; }
+
         /// <summary>True while a key is held in whatever way.</summary>
-        public static bool IsHeld(LabKey key) => OnScreen[(int)key] || InEvents[(int)key] || IsDown((int)key);
+        public static bool IsHeld(LabKey key) => OnScreen[(int)key] || InEvents[(int)key] || IsDown((int)key) || (Keyboard != null && Keyboard(key));
 
         /// <summary>True while a key is held on the keyboard, as a script finds it that asks Unity's Input.</summary>
         internal static bool IsOnKeyboard(LabKey key) => IsDown((int)key);
@@ -25,11 +31,22 @@ namespace RigidBodyDynamics.Scripts
         /// <summary>Says whether a button of the panel is held.</summary>
         public static void HoldOnScreen(LabKey key, bool isHeld) => OnScreen[(int)key] = isHeld;
 
-        /// <summary>Nothing is held any more: the window has lost the keyboard, and will not hear the keys go up.</summary>
+        /// <summary>
+        /// Nothing is held any more: the window has lost the keyboard or the game is paused, and nobody will hear the keys go up. A key that is still
+        /// down is heard again.
+        /// </summary>
         public static void LetGo()
         {
             Array.Clear(InEvents, 0, InEvents.Length);
             Array.Clear(OnScreen, 0, OnScreen.Length);
+        }
+
+        // where the domain is not reloaded, which is usual from Unity 6.6 on, what is static outlives Stop
+        [RuntimeInitializeOnLoadMethod(RuntimeInitializeLoadType.SubsystemRegistration)]
+        private static void Begin()
+        {
+            LetGo();
+            Keyboard = null;
         }
 
 #if ENABLE_LEGACY_INPUT_MANAGER || !UNITY_2019_3_OR_NEWER
@@ -59,19 +76,25 @@ namespace RigidBodyDynamics.Scripts
             }
         }
 
-        /// <summary>Hears keys go down and up.</summary>
+        /// <summary>Hears keys go down and up, where nobody can ask the keyboard.</summary>
         private sealed class KeyListener : MonoBehaviour
         {
             private void OnGUI()
             {
                 int key = KeyOf(Event.current.keyCode);
-                if (key >= 0 && (Event.current.type == EventType.KeyDown || Event.current.type == EventType.KeyUp))
+                if (Keyboard == null && key >= 0 && (Event.current.type == EventType.KeyDown || Event.current.type == EventType.KeyUp))
                     InEvents[key] = Event.current.type == EventType.KeyDown;
             }
 
             private void OnApplicationFocus(bool hasFocus)
             {
                 if (!hasFocus)
+                    LetGo();
+            }
+
+            private void OnApplicationPause(bool isPaused)
+            {
+                if (isPaused)
                     LetGo();
             }
         }
