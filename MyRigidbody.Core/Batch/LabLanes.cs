@@ -5,7 +5,7 @@ using Lanes = System.Numerics.Vector<double>;
 
 namespace RigidBodyDynamics
 {
-    public partial struct LabEuler : IRuleInLanes
+    internal partial struct LabEuler : IRuleInLanes
     {
         Crowd IRuleInLanes.InLanes(BodyDescription body) => new LabCrowd(body);
 

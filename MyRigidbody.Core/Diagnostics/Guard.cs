@@ -4,7 +4,7 @@ using System.Globalization;
 namespace RigidBodyDynamics
 {
     /// <summary>Refuses impossible values by name and value, before anything has been changed.</summary>
-    public static class Guard
+    internal static class Guard
     {
         /// <summary>True for every number but NaN and the infinities.</summary>
         public static bool IsFinite(double value) => value - value == 0;

@@ -7,7 +7,7 @@ namespace RigidBodyDynamics
         private readonly Vector3d? _inBody;
 
         /// <summary>A body at its start. A simulation makes this itself; whoever drives a rule by hand checks the body before.</summary>
-        public Beginning(BodyDescription body)
+        internal Beginning(BodyDescription body)
         {
             _body = Guard.NotNull(body, nameof(body));
             _inBody = body.GivenInBody;

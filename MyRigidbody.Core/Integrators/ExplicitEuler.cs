@@ -4,7 +4,7 @@ namespace RigidBodyDynamics
     /// The lab's five steps with formula 3.3 as it is printed: x moves on with the velocity from before the step.
     /// Everything else is <see cref="LabEuler"/>.
     /// </summary>
-    public struct ExplicitEuler : IIntegrator
+    internal struct ExplicitEuler : IIntegrator
     {
         private LabEuler _lab;
 

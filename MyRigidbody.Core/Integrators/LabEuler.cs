@@ -4,7 +4,7 @@ namespace RigidBodyDynamics
     /// The lab's script: five steps, in its order. It has no gyroscopic term, so with three different moments it
     /// keeps ω, not L, and converges to the motion of a real body only where the moments are equal.
     /// </summary>
-    public partial struct LabEuler : IIntegrator
+    internal partial struct LabEuler : IIntegrator
     {
         private BodyState _body;
         private MassProperties _mass;

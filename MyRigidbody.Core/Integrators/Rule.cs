@@ -30,7 +30,7 @@ namespace RigidBodyDynamics
     }
 
     /// <summary>What a step costs, in steps of the lab.</summary>
-    public enum Cost
+    internal enum Cost
     {
         /// <summary>Up to one and a half times the lab's step.</summary>
         LikeTheLab,
@@ -64,7 +64,7 @@ namespace RigidBodyDynamics
         public Keeps Keeps { get; }
 
         /// <summary>What a step costs.</summary>
-        public Cost Cost { get; }
+        internal Cost Cost { get; }
 
         /// <summary>One line about it.</summary>
         public string About { get; }

@@ -14,32 +14,32 @@ namespace RigidBodyDynamics
         private static readonly List<Rule> List = new List<Rule>();
 
         /// <summary>Formula 3.3 as printed.</summary>
-        public static Rule ExplicitEuler { get; } = Listed(Of<ExplicitEuler>(
-            "ExplicitEuler", 1, Keeps.AngularVelocity, Cost.LikeTheLab, "formula 3.3 as printed: x moves on with the old velocity"));
+        public static Rule ExplicitEuler { get; } = Listed<ExplicitEuler>(
+            "ExplicitEuler", 1, Keeps.AngularVelocity, Cost.LikeTheLab, "formula 3.3 as printed: x moves on with the old velocity");
 
         /// <summary>The lab's own.</summary>
-        public static Rule LabEuler { get; } = Listed(Of<LabEuler>(
-            "LabEuler", 1, Keeps.AngularVelocity, Cost.LikeTheLab, "the lab's five steps, in the order of its script"));
+        public static Rule LabEuler { get; } = Listed<LabEuler>(
+            "LabEuler", 1, Keeps.AngularVelocity, Cost.LikeTheLab, "the lab's five steps, in the order of its script");
 
         /// <summary>Unity's own body.</summary>
         public static Rule UnityRigidbody { get; } = Listed(new UnityRule(
             "UnityRigidbody", 1, Keeps.AngularVelocity, Cost.SeveralTimesTheLab, "DefaultRigidbody: PhysX's rule with drag, 7 rad/s and sleep"));
 
         /// <summary>A yardstick: implicit Euler for ω.</summary>
-        public static Rule ImplicitGyroscopic { get; } = Listed(Of<GyroscopicEuler<ImplicitRule>>(
-            "ImplicitGyroscopic", 1, Keeps.Motion, Cost.SeveralTimesTheLab, "yardstick: one Newton step for the gyroscopic torque, as popular engines do"));
+        public static Rule ImplicitGyroscopic { get; } = Listed<GyroscopicEuler<ImplicitRule>>(
+            "ImplicitGyroscopic", 1, Keeps.Motion, Cost.SeveralTimesTheLab, "yardstick: one Newton step for the gyroscopic torque, as popular engines do");
 
         /// <summary>A yardstick: explicit Euler for L.</summary>
-        public static Rule ExplicitGyroscopic { get; } = Listed(Of<GyroscopicEuler<ExplicitRule>>(
-            "ExplicitGyroscopic", 1, Keeps.Motion | Keeps.MomentumLength, Cost.SeveralTimesTheLab, "yardstick: momentum back to its old length, as PhysX's switch does"));
+        public static Rule ExplicitGyroscopic { get; } = Listed<GyroscopicEuler<ExplicitRule>>(
+            "ExplicitGyroscopic", 1, Keeps.Motion | Keeps.MomentumLength, Cost.SeveralTimesTheLab, "yardstick: momentum back to its old length, as PhysX's switch does");
 
         /// <summary>Free rotation in parts.</summary>
         public static Rule Splitting { get; } = Listed(new SplittingRule(
             "Splitting", 2, Kept | Keeps.EnergyBounded | Keeps.WayBack, Cost.SeveralTimesTheLab, "rotations about the three axes in turn; keeps L, energy swings"));
 
         /// <summary>For pushes that cannot be taken apart.</summary>
-        public static Rule RungeKutta4 { get; } = Listed(Of<RungeKutta4>(
-            "RungeKutta4", 4, Kept, Cost.SeveralTimesTheLab, "the classical rule, L in world axes; for pushes that cannot be taken apart"));
+        public static Rule RungeKutta4 { get; } = Listed<RungeKutta4>(
+            "RungeKutta4", 4, Kept, Cost.SeveralTimesTheLab, "the classical rule, L in world axes; for pushes that cannot be taken apart");
 
         /// <summary>Exact free motion between half pushes.</summary>
         public static Rule Exact { get; } = Listed(new CompositionRule<Order2>(
@@ -79,12 +79,14 @@ namespace RigidBodyDynamics
         /// <param name="name">What messages and <c>explain</c> call it; the struct's name if absent.</param>
         /// <param name="order">The power of the step with which its error falls, at least 1.</param>
         /// <param name="keeps">What it keeps of a body that turns freely.</param>
-        /// <param name="cost">What a step costs.</param>
         /// <param name="about">One line about it.</param>
-        public static Rule Of<TIntegrator>(
-            string name = null, int order = 1, Keeps keeps = Keeps.Motion, Cost cost = Cost.SeveralTimesTheLab, string about = "")
+        public static Rule Of<TIntegrator>(string name = null, int order = 1, Keeps keeps = Keeps.Motion, string about = "")
             where TIntegrator : struct, IIntegrator =>
-            new RuleOf<TIntegrator>(name ?? typeof(TIntegrator).Name, order, keeps, cost, about);
+            new RuleOf<TIntegrator>(name ?? typeof(TIntegrator).Name, order, keeps, Cost.SeveralTimesTheLab, about);
+
+        private static Rule Listed<TIntegrator>(string name, int order, Keeps keeps, Cost cost, string about)
+            where TIntegrator : struct, IIntegrator =>
+            Listed(new RuleOf<TIntegrator>(name, order, keeps, cost, about));
 
         private static Rule Listed(Rule rule)
         {

@@ -4,7 +4,7 @@ namespace RigidBodyDynamics
     /// The classical Runge–Kutta rule of order 4, with the angular momentum held in world axes: L' = τ, so that without
     /// a torque L is exact and only the attitude is approximated. For pushes that cannot be taken apart.
     /// </summary>
-    public struct RungeKutta4 : IIntegrator
+    internal struct RungeKutta4 : IIntegrator
     {
         private MassProperties _mass;
         private PrincipalAxesOrder _axes;

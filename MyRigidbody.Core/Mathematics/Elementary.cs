@@ -107,10 +107,10 @@ namespace RigidBodyDynamics
         }
 
         /// <summary>φ₁(z) = (1 − e^(−z)) / z, within 4 ulp for z ≥ 0; φ₁(0) = 1.</summary>
-        public static double Phi1(double z) => Math.Abs(z) < 1 ? 1 - z * Phi2(z) : (1 - Exp(-z)) / z;
+        internal static double Phi1(double z) => Math.Abs(z) < 1 ? 1 - z * Phi2(z) : (1 - Exp(-z)) / z;
 
         /// <summary>φ₂(z) = (z − 1 + e^(−z)) / z², within 4 ulp for z ≥ 0; φ₂(0) = ½.</summary>
-        public static double Phi2(double z)
+        internal static double Phi2(double z)
         {
             if (!(Math.Abs(z) < 1))
                 return (1 - (1 - Exp(-z)) / z) / z;

@@ -3,7 +3,7 @@ using System.Runtime.CompilerServices;
 namespace RigidBodyDynamics
 {
     /// <summary>The 3×3 matrix of an orientation, row by row; its columns are the body's axes in the world.</summary>
-    public struct Matrix3
+    internal struct Matrix3
     {
         /// <summary>First row.</summary>
         public Vector3d Row1;

@@ -6,7 +6,7 @@ namespace RigidBodyDynamics
     /// Principal moments and axes of an inertia tensor: A = F diag(moments) Fᵀ with F the matrix of the frame.
     /// Jacobi's rotations (Golub, Van Loan, Matrix Computations, section 8.5), once per body and never in a step.
     /// </summary>
-    public static class PrincipalAxes
+    internal static class PrincipalAxes
     {
         private const int MostSweeps = 30;
 

@@ -69,7 +69,7 @@ namespace RigidBodyDynamics
 
         /// <summary>R A Rᵀ: the same tensor in the axes to which R leads.</summary>
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
-        public SymmetricMatrix3 RotatedBy(Matrix3 r)
+        internal SymmetricMatrix3 RotatedBy(Matrix3 r)
         {
             Vector3d a1 = this * r.Row1, a2 = this * r.Row2, a3 = this * r.Row3;
             return new SymmetricMatrix3(

@@ -3,7 +3,7 @@ using System.Runtime.CompilerServices;
 namespace RigidBodyDynamics
 {
     /// <summary>Two pushes together. Sums of any number are built of these, so the compiler sees through them.</summary>
-    public struct Both<TFirst, TSecond> : IPush
+    internal struct Both<TFirst, TSecond> : IPush
         where TFirst : struct, IPush
         where TSecond : struct, IPush
     {

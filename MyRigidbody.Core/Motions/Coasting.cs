@@ -10,7 +10,7 @@ namespace RigidBodyDynamics
         /// So many steps at most are caught up one by one when somebody looks at a body that coasts; those before them are one
         /// closed form.
         /// </summary>
-        public const int StepsBetweenClosedForms = 128;
+        internal const int StepsBetweenClosedForms = 128;
 
         /// <summary>g and what constant forces add to it, m/s², world axes.</summary>
         public Vector3d Acceleration;

@@ -4,7 +4,7 @@ namespace RigidBodyDynamics
     /// Any number of pushes behind their interface: for bodies with more of them than are worth a type of their own.
     /// Each costs two virtual calls.
     /// </summary>
-    public struct Many : IPush
+    internal struct Many : IPush
     {
         private readonly IPush[] _pushes;
 

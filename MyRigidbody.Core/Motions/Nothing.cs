@@ -3,7 +3,7 @@ using System.Runtime.CompilerServices;
 namespace RigidBodyDynamics
 {
     /// <summary>The empty sum: nothing pushes, nothing is computed.</summary>
-    public struct Nothing : IPush
+    internal struct Nothing : IPush
     {
         public EffectTraits Traits => EffectTraits.HasPotential;
 

@@ -19,7 +19,7 @@ namespace RigidBodyDynamics
         public MassProperties Mass => Plan.Asked.Mass;
 
         /// <summary>What its motion consists of from when it was last planned, and what was left out.</summary>
-        public BodyPlan Plan => Mover.Plan;
+        internal BodyPlan Plan => Mover.Plan;
 
         /// <summary>The rule by which it moves.</summary>
         public Rule Rule => Plan.Rule;

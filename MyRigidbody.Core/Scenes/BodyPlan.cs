@@ -5,7 +5,7 @@ namespace RigidBodyDynamics
 {
     /// <summary>What a plan may leave out because the motion is the same without.</summary>
     [Flags]
-    public enum Omissions
+    internal enum Omissions
     {
         /// <summary>Everything is computed, step by step.</summary>
         None = 0,
@@ -27,7 +27,7 @@ namespace RigidBodyDynamics
     /// What a body's motion consists of, read once from its description: what is here runs, and what runs is here. A body that
     /// is changed gets another.
     /// </summary>
-    public sealed class BodyPlan
+    internal sealed class BodyPlan
     {
         private readonly TimeSteps.Grid _division;
 

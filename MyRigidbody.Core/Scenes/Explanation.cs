@@ -15,22 +15,26 @@ namespace RigidBodyDynamics
         private readonly List<Omission> _leftOut = new List<Omission>();
         private readonly List<string> _notes = new List<string>();
 
-        /// <summary>Of a plan, for instance <c>simulation.Bodies[0].Plan</c>.</summary>
-        public Explanation(BodyPlan plan)
+        /// <summary>Of a body as it moves now.</summary>
+        public Explanation(Body body) : this(Guard.NotNull(body, nameof(body)).Plan) { }
+
+        internal Explanation(BodyPlan plan)
         {
-            _plan = Guard.NotNull(plan, nameof(plan));
+            _plan = plan;
             LeaveOut();
             LookAtSwings();
         }
 
-        /// <summary>What is not computed.</summary>
-        public IReadOnlyList<Omission> LeftOut => _leftOut;
+        /// <summary>What is not computed, and behind it in brackets why the motion is the same without.</summary>
+        public IReadOnlyList<string> LeftOut => _leftOut.ConvertAll(omission => omission.ToString());
+
+        internal IReadOnlyList<Omission> Omitted => _leftOut;
 
         /// <summary>What one should know besides.</summary>
         public IReadOnlyList<string> Notes => _notes;
 
         /// <summary>What the motion consists of in a stretch of time, part by part.</summary>
-        public IReadOnlyList<string> Parts(StretchPlan stretch)
+        internal IReadOnlyList<string> Parts(StretchPlan stretch)
         {
             List<string> parts = new List<string>();
             BodyDescription body = _plan.Body;
@@ -38,7 +42,7 @@ namespace RigidBodyDynamics
             if (body.CanMove)
                 parts.Add((body.Lock & Locks.Move) == 0 ? "drift" : "drift along " + (~body.Lock).MoveNames());
 
-            foreach (ICoast coast in Guard.NotNull(stretch, nameof(stretch)).Coasts)
+            foreach (ICoast coast in stretch.Coasts)
                 parts.Add(coast + (isExact && (coast.Traits & EffectTraits.OncePerStep) == 0 ? " (closed form)" : string.Empty));
 
             if (body.CanTurn)
@@ -57,12 +61,11 @@ namespace RigidBodyDynamics
         }
 
         /// <summary>True if the steps of a stretch are not taken until somebody looks.</summary>
-        public bool Coasts(StretchPlan stretch) => _plan.MayCoast && _plan.Rule.Coasts(_plan.Body, Guard.NotNull(stretch, nameof(stretch)));
+        internal bool Coasts(StretchPlan stretch) => _plan.MayCoast && _plan.Rule.Coasts(_plan.Body, stretch);
 
         /// <summary>From when to when a stretch lasts.</summary>
-        public string Time(StretchPlan stretch)
+        internal string Time(StretchPlan stretch)
         {
-            Guard.NotNull(stretch, nameof(stretch));
             string from = stretch.Starts.ToString("R", CultureInfo.InvariantCulture) + " s";
             if (double.IsPositiveInfinity(stretch.Ends))
                 return stretch.First == 0 ? "always" : "from " + from;
@@ -87,7 +90,7 @@ namespace RigidBodyDynamics
                 text.Append("  and ").Append(_plan.Stretches.Count - MostStretches).Append(" stretches more\n");
 
             foreach (Omission omission in _leftOut)
-                text.Append("  left out: ").Append(omission.What).Append(" (").Append(omission.Why).Append(")\n");
+                text.Append("  left out: ").Append(omission).Append('\n');
 
             foreach (string note in _notes)
                 text.Append("  note: ").Append(note).Append('\n');

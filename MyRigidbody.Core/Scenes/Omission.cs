@@ -1,7 +1,7 @@
 namespace RigidBodyDynamics
 {
     /// <summary>Something that a body's motion does without, and why it may.</summary>
-    public sealed class Omission
+    internal sealed class Omission
     {
         internal Omission(string what, string why, BodyDescription with, Omissions mayLeaveOut)
         {
@@ -22,5 +22,7 @@ namespace RigidBodyDynamics
 
         /// <summary>What may be left out of that body.</summary>
         public Omissions MayLeaveOut { get; }
+
+        public override string ToString() => What + " (" + Why + ")";
     }
 }

@@ -4,7 +4,7 @@ using System.Collections.Generic;
 namespace RigidBodyDynamics
 {
     /// <summary>The steps from one beginning or end of an effect to the next, and what acts on a body in them.</summary>
-    public sealed class StretchPlan
+    internal sealed class StretchPlan
     {
         private readonly List<PushEffect> _pushes = new List<PushEffect>();
         private readonly List<Effect> _effects = new List<Effect>();

@@ -57,7 +57,7 @@ internal static class ExplainCommand
             for (int i = 0; i < measured; i++)
             {
                 int before = i;
-                bodies[i].Savings = Saving.Measure(bodies[i].Plan, bodies[i].Explanation.LeftOut, done => report((before + done) / measured));
+                bodies[i].Savings = Saving.Measure(bodies[i].Plan, bodies[i].Explanation.Omitted, done => report((before + done) / measured));
                 bodies[i].IsMeasured = true;
             }
         }));
@@ -94,7 +94,7 @@ internal static class ExplainCommand
 
         public List<string> Names { get; } = [];
 
-        public IReadOnlyList<Saving> Savings { get; set; } = Saving.NotMeasured(Explanation.LeftOut);
+        public IReadOnlyList<Saving> Savings { get; set; } = Saving.NotMeasured(Explanation.Omitted);
 
         /// <summary>False for those after the first few: a scene of many would be measured for hours.</summary>
         public bool IsMeasured { get; set; }

@@ -43,7 +43,7 @@ internal sealed record Plan(IReadOnlyList<Plan.Of> Bodies) : Section
                 [.. explanation.Parts(stretch).Select(Words.Phrase)],
                 explanation.Coasts(stretch)))],
             Math.Max(0, plan.Stretches.Count - MostStretches),
-            [.. explanation.LeftOut.Select(omission => new Omitted(Words.Phrase(omission.What), Words.Phrase(omission.Why)))],
+            [.. explanation.Omitted.Select(omission => new Omitted(Words.Phrase(omission.What), Words.Phrase(omission.Why)))],
             [.. explanation.Notes.Select(Words.Phrase)]);
     }
 

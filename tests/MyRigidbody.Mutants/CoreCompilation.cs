@@ -23,14 +23,16 @@ internal sealed class CoreCompilation
             _trees.Add(file, CSharpSyntaxTree.ParseText(SourceText.From(File.ReadAllText(path)), asUnity, file));
         }
 
-        const string ForTests = "[assembly: System.Runtime.CompilerServices.InternalsVisibleTo(\"MyRigidbody.Tests\")]";
+        // the tests, and what they load
+        string friends = string.Concat(new[] { "Tests", "Lab", "Engine" }
+            .Select(name => $"[assembly: System.Runtime.CompilerServices.InternalsVisibleTo(\"MyRigidbody.{name}\")]"));
         IEnumerable<MetadataReference> runtime = ((string)AppContext.GetData("TRUSTED_PLATFORM_ASSEMBLIES")!)
             .Split(Path.PathSeparator)
             .Where(path => Path.GetFileName(path).StartsWith("System.", StringComparison.Ordinal) || Path.GetFileName(path) == "netstandard.dll")
             .Select(path => MetadataReference.CreateFromFile(path));
         _whole = CSharpCompilation.Create(
             "MyRigidbody.Core",
-            [.. _trees.Values, CSharpSyntaxTree.ParseText(ForTests, asUnity)],
+            [.. _trees.Values, CSharpSyntaxTree.ParseText(friends, asUnity)],
             runtime,
             new CSharpCompilationOptions(
                 OutputKind.DynamicallyLinkedLibrary,

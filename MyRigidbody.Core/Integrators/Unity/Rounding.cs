@@ -3,7 +3,7 @@ using System.Runtime.CompilerServices;
 namespace RigidBodyDynamics
 {
     /// <summary>To which precision every single operation is rounded.</summary>
-    public interface IRounding
+    internal interface IRounding
     {
         /// <summary>The nearest number of that precision.</summary>
         double Round(double value);
@@ -18,7 +18,7 @@ namespace RigidBodyDynamics
     /// to the last bit, because 53 ≥ 2·24 + 2 (Figueroa, When is double rounding innocuous?, 1995). So this also
     /// holds on runtimes that compute float in double, as Unity's own does.
     /// </remarks>
-    public struct ToSingle : IRounding
+    internal struct ToSingle : IRounding
     {
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
         public double Round(double value) => (float)value;
@@ -27,7 +27,7 @@ namespace RigidBodyDynamics
     }
 
     /// <summary>Double precision: nothing is rounded that the processor has not rounded already.</summary>
-    public struct ToDouble : IRounding
+    internal struct ToDouble : IRounding
     {
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
         public double Round(double value) => value;

@@ -4,7 +4,7 @@ namespace RigidBodyDynamics
     /// DefaultRigidbody: what Unity's Rigidbody does with a body that touches nothing. PhysX's rule, to the last bit
     /// in single precision; no gyroscopic term unless asked for, so a free body keeps ω, whatever its shape.
     /// </summary>
-    public struct UnityRigidbody<R> : IIntegrator where R : struct, IRounding
+    internal struct UnityRigidbody<R> : IIntegrator where R : struct, IRounding
     {
         private const string Fits = "must fit the precision of UnityRigidbody";
 

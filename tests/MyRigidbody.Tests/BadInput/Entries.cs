@@ -10,18 +10,14 @@ internal sealed record Entry(Type Type, MethodBase Method)
     // what a generic type or method is tried with
     private static readonly Dictionary<string, Type> Arguments = new()
     {
-        ["TIntegrator"] = typeof(LabEuler),
+        ["TIntegrator"] = typeof(MomentumEuler),
         ["TPush"] = typeof(HeldKeys),
-        ["TFirst"] = typeof(Force),
-        ["TSecond"] = typeof(Torque),
-        ["R"] = typeof(ToSingle),
-        ["T"] = typeof(string),
     };
 
     /// <summary>All of them, whoever adds one.</summary>
     public static IReadOnlyList<Entry> All { get; } =
     [
-        .. from type in typeof(Guard).Assembly.GetExportedTypes()
+        .. from type in typeof(Simulation).Assembly.GetExportedTypes()
            where !type.IsInterface && !type.IsEnum && !typeof(Delegate).IsAssignableFrom(type)
            let closed = type.IsGenericTypeDefinition ? type.MakeGenericType(Closed(type.GetGenericArguments())) : type
            from method in closed.GetMethods(Declared).Cast<MethodBase>().Concat(closed.GetConstructors(Declared))

@@ -88,7 +88,7 @@ public sealed class ConstantForceTests
             Assert.That(said, Does.Not.Contain("forces and torques"));
         }
 
-        static string Said(string rule) => new Explanation(new Simulation(Steps, Body(rule).With(new Force(F))).Bodies[0].Plan).ToString();
+        static string Said(string rule) => new Explanation(new Simulation(Steps, Body(rule).With(new Force(F))).Bodies[0]).ToString();
     }
 
     [Test]

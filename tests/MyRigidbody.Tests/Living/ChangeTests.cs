@@ -126,7 +126,7 @@ public sealed class ChangeTests
         body.Change(new BodyDescription("body", Solids.Sphere(2, 1)).With(new Force(new Vector3d(4, 0, 0)), 0.5, 1.5).With(new Force(new Vector3d(0, 4, 0)), 3, 4));
         simulation.Step(64);
         Assert.That(body.State.Velocity, Is.EqualTo(new Vector3d(1, 0, 0)));
-        Assert.That(new Explanation(body.Plan).ToString(), Does.Contain("  1 s to 1.5 s: ").And.Contain("  3 s to 4 s: "));
+        Assert.That(new Explanation(body).ToString(), Does.Contain("  1 s to 1.5 s: ").And.Contain("  3 s to 4 s: "));
         simulation.Step(192);
         Assert.That(body.State.Velocity, Is.EqualTo(new Vector3d(1, 2, 0)));
     }

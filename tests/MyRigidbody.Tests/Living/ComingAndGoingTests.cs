@@ -52,7 +52,7 @@ public sealed class ComingAndGoingTests
             Body one = simulation.Add(late), other = simulation.Add(late);
             simulation.Bodies[0].Change(late);
             Assert.That((one.State, other.State), Is.EqualTo((Tumbling, Tumbling)));
-            Assert.That(new Explanation(one.Plan).ToString(), Does.StartWith(FormattableString.Invariant($"late, by Exact\n  from {simulation.Time} s: ")));
+            Assert.That(new Explanation(one).ToString(), Does.StartWith(FormattableString.Invariant($"late, by Exact\n  from {simulation.Time} s: ")));
             Assert.That(() => simulation.Step(), Throws.InstanceOf<ArgumentOutOfRangeException>());
         }
     }

@@ -67,7 +67,7 @@ public sealed class SetStateTests
         spinning.AngularVelocity = new Vector3d(1, 2, 3);
         body.State = spinning;
         Assert.That(body.Plan.LeftOut, Is.EqualTo(Omissions.Translation));
-        Assert.That(new Explanation(body.Plan).ToString(), Does.Not.Contain("left out: rotation (").And.Contain("left out: translation ("));
+        Assert.That(new Explanation(body).ToString(), Does.Not.Contain("left out: rotation (").And.Contain("left out: translation ("));
         simulation.Step(5);
         Assert.That(Conserved.AngleBetween(body.State.Orientation, Quaterniond.Identity), Is.EqualTo(Math.Sqrt(14) * 5 * H).Within(0.02)); // measured 1.0e-3
     }

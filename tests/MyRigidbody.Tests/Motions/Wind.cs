@@ -10,9 +10,9 @@ public readonly struct Wind : IPush
     /// <summary>Wind with the given k, kg/m, and velocities of the air, m/s, world axes.</summary>
     public Wind(double k, Vector3d mean, Vector3d gust)
     {
-        _k = Guard.NotNegative(k, nameof(k));
-        _mean = Guard.Finite(mean, nameof(mean));
-        _gust = Guard.Finite(gust, nameof(gust));
+        _k = k;
+        _mean = mean;
+        _gust = gust;
     }
 
     public EffectTraits Traits => EffectTraits.Moves | EffectTraits.ReadsTime | EffectTraits.ReadsVelocity | EffectTraits.IsDrag;

@@ -63,7 +63,7 @@ public sealed partial class PageTests
                 English(row.QuerySelector("th")!) + ": " + string.Join(", ", row.QuerySelectorAll("li").Select(English)))];
 
             Assert.That(rows, Is.EqualTo(expected));
-            Assert.That(table.QuerySelectorAll("tr.left"), Has.Length.EqualTo(explanation.LeftOut.Count));
+            Assert.That(table.QuerySelectorAll("tr.left"), Has.Length.EqualTo(explanation.Omitted.Count));
         }
     }
 

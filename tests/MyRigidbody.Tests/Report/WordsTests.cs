@@ -57,7 +57,7 @@ public sealed partial class WordsTests
             Explanation explanation = new(plan);
             left.AddRange(plan.Stretches.SelectMany(explanation.Parts));
             left.AddRange(plan.Stretches.Select(explanation.Time));
-            left.AddRange(explanation.LeftOut.SelectMany(omission => new[] { omission.What, omission.Why }));
+            left.AddRange(explanation.Omitted.SelectMany(omission => new[] { omission.What, omission.Why }));
             left.AddRange(explanation.Notes);
         }
 

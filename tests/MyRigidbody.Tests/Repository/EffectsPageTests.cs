@@ -36,7 +36,7 @@ public sealed class EffectsPageTests
             .With(new Gravity(new Vector3d(0, -9.81, 0)))
             .With(wind, from: 1, to: 3);
         Simulation simulation = new Simulation(TimeSteps.Every(0.02, 200), ball);
-        Console.Write(new Explanation(simulation.Bodies[0].Plan));
+        Console.Write(new Explanation(simulation.Bodies[0]));
         foreach (string finding in EffectCheck.Findings(wind))
             Console.WriteLine(finding);
         // end

@@ -34,7 +34,7 @@ public sealed class IntegratorsPageTests
         Body body = ((Simulation)Assembly.Load(assembly.ToArray()).GetType("Used")!.GetMethod("Run")!.Invoke(null, null)!).Bodies[0];
         Assert.That(body.State, Is.EqualTo(Run(0.02)));
         Assert.That(body.Rule.Name, Is.EqualTo("MomentumEuler"));
-        Assert.That(new Explanation(body.Plan).ToString(), Does.StartWith("top, by MomentumEuler\n  always: rotation by MomentumEuler\n"));
+        Assert.That(new Explanation(body).ToString(), Does.StartWith("top, by MomentumEuler\n  always: rotation by MomentumEuler\n"));
     }
 
     [Test]

@@ -99,7 +99,7 @@ public sealed class ReadmeTests
                 Explanation explained = new(body.Plan);
                 StretchPlan first = body.Plan.Stretches[0];
                 string parts = string.Join(comma, explained.Parts(first).Select(Words.Phrase).Select(language));
-                string left = string.Join(comma, explained.LeftOut.Select(omission => omission.What).Distinct().Select(Words.Phrase).Select(language));
+                string left = string.Join(comma, explained.Omitted.Select(omission => omission.What).Distinct().Select(Words.Phrase).Select(language));
                 return $"| {scene} | {body.Name} | {parts} | {left} |";
             }));
 

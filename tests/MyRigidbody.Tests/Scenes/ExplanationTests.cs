@@ -31,7 +31,7 @@ public sealed class ExplanationTests
         Assert.That(explanation.Parts(plan.Stretches[0]), Is.EqualTo(new[] { "drift", Falls, Turns }));
         Assert.That(explanation.Parts(plan.Stretches[1]), Is.EqualTo(new[] { "drift", Falls, "linear damping 0.3 /s (closed form)", Turns, "key R" }));
         Assert.That(plan.Stretches.Select(explanation.Coasts), Is.EqualTo(new[] { true, false, true }));
-        Assert.That(explanation.LeftOut.Select(omission => omission.What), Is.EqualTo(new[] { "steps that nobody looks at", "drag" }));
+        Assert.That(explanation.Omitted.Select(omission => omission.What), Is.EqualTo(new[] { "steps that nobody looks at", "drag" }));
         Assert.That(explanation.ToString(), Does.StartWith("top, by Exact\n  0 s to 1 s: drift, ").And.Contain("; computed when somebody looks\n").And.Contain("  left out: drag (none in the scene)\n"));
     }
 
@@ -67,13 +67,13 @@ public sealed class ExplanationTests
         {
             BodyPlan plan = new Simulation(TimeSteps.Every(0.02), body).Bodies[0].Plan;
             Explanation explanation = new(plan);
-            Assert.That(explanation.LeftOut, Has.Count.GreaterThanOrEqualTo(3));
-            foreach (Omission omission in explanation.LeftOut)
+            Assert.That(explanation.Omitted, Has.Count.GreaterThanOrEqualTo(3));
+            foreach (Omission omission in explanation.Omitted)
             {
                 Simulation with = new(new SceneDescription("with", string.Empty, plan.Steps, [omission.With]), omission.MayLeaveOut);
                 with.Step(10);
                 Assert.That(with.Bodies[0].State.IsFinite, omission.What);
-                Assert.That(new Explanation(with.Bodies[0].Plan).LeftOut.Select(other => other.What), Does.Not.Contain(omission.What));
+                Assert.That(new Explanation(with.Bodies[0]).Omitted.Select(other => other.What), Does.Not.Contain(omission.What));
             }
         }
     }
@@ -83,7 +83,7 @@ public sealed class ExplanationTests
     {
         BodyDescription body = new("stone", Solids.Sphere(1, 1));
         Assert.That(Parts(body), Is.EqualTo(new[] { "rest" }));
-        string text = new Explanation(new Simulation(TimeSteps.Every(0.02), body).Bodies[0].Plan).ToString();
+        string text = new Explanation(new Simulation(TimeSteps.Every(0.02), body).Bodies[0]).ToString();
         Assert.That(text, Does.Contain("rotation (it starts without spin and nothing turns it)"));
         Assert.That(text, Does.Contain("translation (it starts at rest and nothing moves it)"));
     }
@@ -93,7 +93,7 @@ public sealed class ExplanationTests
     public void Spring_says_its_longest_step(double step, string note)
     {
         BodyDescription body = Top("Exact", new Vector3d(1, 2, 3)).With(new Spring(Vector3d.Zero, Vector3d.Zero, 100));
-        Explanation explanation = new(new Simulation(TimeSteps.Every(step), body).Bodies[0].Plan);
+        Explanation explanation = new(new Simulation(TimeSteps.Every(step), body).Bodies[0]);
         Assert.That(explanation.Notes, Has.Count.EqualTo(1));
         Assert.That(explanation.Notes[0], Does.EndWith(note));
     }
@@ -113,13 +113,13 @@ public sealed class ExplanationTests
 
         BodyDescription Copy() => body.Copy("copy", body.Mass);
         static List<string> LeftOut(BodyDescription body) =>
-            [.. new Explanation(new Simulation(TimeSteps.Every(0.02), body).Bodies[0].Plan).LeftOut.Select(omission => omission.What)];
+            [.. new Explanation(new Simulation(TimeSteps.Every(0.02), body).Bodies[0]).Omitted.Select(omission => omission.What)];
     }
 
     [Test]
     public void Swing_of_a_user_s_own_says_its_longest_step()
     {
-        Explanation explanation = new(new Simulation(TimeSteps.Every(0.5), Top("Exact", new Vector3d(1, 2, 3)).With(default(Pendulum))).Bodies[0].Plan);
+        Explanation explanation = new(new Simulation(TimeSteps.Every(0.5), Top("Exact", new Vector3d(1, 2, 3)).With(default(Pendulum))).Bodies[0]);
         Assert.That(explanation.Notes, Is.EqualTo(new[] { "pendulum: swings are stable in steps below 0.4 s, and the scene's is 0.5 s" }));
     }
 

@@ -126,7 +126,7 @@ namespace RigidBodyDynamics.Scripts
         }
 
         /// <summary>What its motion consists of, what was left out and why: made of the plan that runs.</summary>
-        public string Explain() => IsReady ? new Explanation(Body.Plan).ToString() : string.Empty;
+        public string Explain() => IsReady ? new Explanation(Body).ToString() : string.Empty;
 
         /// <summary>Pose and velocity of the start.</summary>
         internal BodyState StartState() =>
