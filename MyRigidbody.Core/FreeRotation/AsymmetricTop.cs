@@ -43,7 +43,7 @@ namespace RigidBodyDynamics
 
         public Vector3d AngularVelocity => _shape.Axes.ToWorld(_q.Rotate(_scale * _w));
 
-        public bool IsFinite => _q.IsFinite && Guard.IsFinite(_w.LengthSquared);
+        public bool IsFinite => Guard.IsFinite(_q.LengthSquared + _w.LengthSquared);
 
         /// <summary>Near the unstable axis a long turn is many short ones.</summary>
         public bool HasClosedForm => !IsNearUnstableAxis(Math.Max(_shape.AlphaOfA3 * A3, _shape.BetaOfA1 * A1));

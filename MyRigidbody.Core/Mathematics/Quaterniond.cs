@@ -58,7 +58,7 @@ namespace RigidBodyDynamics
         public Vector3d Vector { [MethodImpl(MethodImplOptions.AggressiveInlining)] get => new Vector3d(X, Y, Z); }
 
         /// <summary>True if no component is infinite or NaN.</summary>
-        public bool IsFinite => Guard.IsFinite(W) && Vector.IsFinite;
+        public bool IsFinite => (W - W) + (X - X) + (Y - Y) + (Z - Z) == 0;
 
         /// <summary>w² + x² + y² + z².</summary>
         public double LengthSquared { [MethodImpl(MethodImplOptions.AggressiveInlining)] get => W * W + X * X + Y * Y + Z * Z; }

@@ -33,7 +33,7 @@ namespace RigidBodyDynamics
         public bool IsZero { [MethodImpl(MethodImplOptions.AggressiveInlining)] get => X == 0 && Y == 0 && Z == 0; }
 
         /// <summary>True if no component is infinite or NaN.</summary>
-        public bool IsFinite => Guard.IsFinite(X) && Guard.IsFinite(Y) && Guard.IsFinite(Z);
+        public bool IsFinite => (X - X) + (Y - Y) + (Z - Z) == 0;
 
         /// <summary>x² + y² + z².</summary>
         public double LengthSquared { [MethodImpl(MethodImplOptions.AggressiveInlining)] get => Dot(this, this); }

@@ -1,6 +1,6 @@
 namespace RigidBodyDynamics
 {
-    /// <summary>How far a simulation has come, for those of its bodies that are computed when their state is read.</summary>
+    /// <summary>How far a simulation has come, and what its bodies tell it.</summary>
     internal sealed class Clock
     {
         /// <summary>When its steps start. It is the simulation's own: a step of another length moves those after it.</summary>
@@ -11,6 +11,9 @@ namespace RigidBodyDynamics
 
         /// <summary>Length of the last step, s.</summary>
         public double LastLength;
+
+        /// <summary>Set by a body that need not be stepped any more.</summary>
+        public bool SomeRest;
 
         public Clock(TimeSteps steps) => Steps = steps.Copy();
     }

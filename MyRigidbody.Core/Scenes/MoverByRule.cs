@@ -216,7 +216,7 @@ namespace RigidBodyDynamics
             Stretch<TIntegrator> stretch = _stretches[_now.Stretch];
             if ((isPlace || _now.Motion.IsAsleep) && !IsLoaded && Plan.MayCoast && stretch.LetsCoast(ref _now.Motion, _clock.Steps, _now.Step))
             {
-                _now.IsDormant = true;
+                _now.IsDormant = _clock.SomeRest = true;
                 _now.Anchored = _now.Step;
                 stretch.Anchor = _now.Motion;
             }

@@ -222,7 +222,7 @@ namespace RigidBodyDynamics
             _bodies[last.Index = body.Index] = last;
             _bodies.RemoveAt(_bodies.Count - 1);
             body.Index = -1;
-            _haveLeft |= body.IsStepped;
+            _clock.SomeRest |= body.IsStepped;
         }
 
         partial void AddTogether(Body body, BodyDescription description, in BodyState start, Vector3d? inBody, ref bool isTogether);

@@ -9,7 +9,6 @@ namespace RigidBodyDynamics
     {
         private readonly List<Body> _stepped = new List<Body>();
         private readonly WakeQueue _dormant = new WakeQueue();
-        private bool _haveLeft;
         private double _rest;
 
         /// <summary>The part of a step, 0 to 1, that <see cref="Advance"/> has kept for the next.</summary>
@@ -177,7 +176,7 @@ namespace RigidBodyDynamics
 
         private void RunTo(long end)
         {
-            if (_haveLeft)
+            if (_clock.SomeRest)
                 LayDown();
 
             while (_dormant.Next < end)
@@ -192,6 +191,7 @@ namespace RigidBodyDynamics
 
                 // where one cannot go on, all go back and come as far as that one came
                 end = reached;
+                _clock.SomeRest = true;
                 for (; i >= 0; i--)
                     Moving(i).GoBack();
             }
@@ -203,7 +203,9 @@ namespace RigidBodyDynamics
             foreach (Mover crowd in _crowds)
                 crowd.Stay();
 
-            LayDown();
+            if (_clock.SomeRest)
+                LayDown();
+
             if (failure != null)
                 ExceptionDispatchInfo.Capture(failure).Throw();
         }
@@ -233,7 +235,7 @@ namespace RigidBodyDynamics
 
         private void LayDown()
         {
-            _haveLeft = false;
+            _clock.SomeRest = false;
             int kept = 0;
             for (int i = 0; i < _stepped.Count; i++)
             {

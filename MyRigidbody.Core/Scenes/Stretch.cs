@@ -117,9 +117,14 @@ namespace RigidBodyDynamics
 
         private void Prepare(ref TIntegrator integrator, double length)
         {
-            if (length == PreparedFor)
-                return;
+            if (length != PreparedFor)
+                PrepareAnew(ref integrator, length);
+        }
 
+        // not within the loop, which would keep its numbers in memory for what is done once
+        [MethodImpl(MethodImplOptions.NoInlining)]
+        private void PrepareAnew(ref TIntegrator integrator, double length)
+        {
             integrator.Prepare(length, _coasting);
             PreparedFor = length;
         }

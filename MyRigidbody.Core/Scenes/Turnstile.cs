@@ -8,25 +8,21 @@ namespace RigidBodyDynamics
     /// </summary>
     internal struct Turnstile
     {
-        // managed numbers of threads are above zero
-        private volatile int _inside;
+        private volatile bool _isInside;
 
         /// <param name="what">What is stepped.</param>
         /// <param name="name">Its name.</param>
         public void Enter(string what, string name)
         {
-            int now = Environment.CurrentManagedThreadId, inside = _inside;
-            if (inside != 0)
-                throw Refused(what + " \"" + name + "\"", inside == now);
+            if (_isInside)
+                throw Refused(what + " \"" + name + "\"");
 
-            _inside = now;
+            _isInside = true;
         }
 
-        public void Leave() => _inside = 0;
+        public void Leave() => _isInside = false;
 
-        private static InvalidOperationException Refused(string what, bool isSame) => new InvalidOperationException(
-            what + ": is being stepped already, " + (isSame
-                ? "by this thread: an effect must not step what it acts in"
-                : "by another thread: only one may step it at a time, and no effect"));
+        private static InvalidOperationException Refused(string what) => new InvalidOperationException(
+            what + ": is being stepped already: one thread may step it at a time, and no effect in it may");
     }
 }
