@@ -46,7 +46,7 @@ namespace RigidBodyDynamics
 
         public Vector3d FromWorld(Vector3d v) => _shape.Axes.FromWorld(v);
 
-        public void Kick(in Group bodies, in Impulse impulse)
+        public void Kick(in Group bodies, in SharedImpulse impulse)
         {
             VectorLanes w = new VectorLanes(bodies, W), lost = new VectorLanes(bodies, WLost);
             VectorLanes j = new VectorLanes(Vector3d.Zero);

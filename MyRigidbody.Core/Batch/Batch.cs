@@ -121,7 +121,7 @@ namespace RigidBodyDynamics
 
         public override bool IsAsleep(Body body) => _crowd.IsAsleep(body.Place);
 
-        public override bool IsDormant(Body body) => _coasts[_stretch] && _coasters.HasForm(body.Place) && !_loads.ContainsKey(body);
+        public override bool IsDormant(Body body) => _coasts[_stretch] && _coasters.HasForm(body.Place) && !_loads.ContainsKey(body) && !Gives;
 
         public override void Push(Body body, in Wrench impulse)
         {
@@ -153,7 +153,7 @@ namespace RigidBodyDynamics
             int place = body.Place;
             Follow(place);
             long since = _retrace.Since(place);
-            bool coasts = _coasts[_stretch] && _coasters.HasForm(place);
+            bool coasts = _coasts[_stretch] && _coasters.HasForm(place) && !Gives;
             LoneMover alone = _crowd.Alone(Plan, _clock, place, since, coasts ? _stretch : _retrace.StretchOf(since), _stretch, coasts);
             if (_loads.TryGetValue(body, out Load load))
                 alone.Add(body, load);

@@ -22,14 +22,17 @@ namespace RigidBodyDynamics
         // a step at which a body was lost; a stretch in which bodies could coast, and do not because of a step of another length
         private long _suspect = -1;
         private int _halted = -1;
-        private bool _isHalted;
+        private bool _isHalted, _areAllAside;
 
         private long EndOfStretch => Plan.Stretches[_stretch].End;
+
+        /// <summary>True where the next step begins with an impulse, which the states do not have yet.</summary>
+        private bool Gives => Plan.HasImpulses && Plan.Stretches[_stretch].GivesAt(_step);
 
         public override long Limit(long end)
         {
             long limit = Math.Min(end, EndOfStretch);
-            if (_loads.Count > 0)
+            if (_loads.Count > 0 || Gives)
                 limit = Math.Min(limit, _step + 1);
 
             return _coasts[_stretch] ? limit : _step + Math.Min(limit - _step, StepsBetweenCopies - _step % StepsBetweenCopies);
@@ -40,7 +43,7 @@ namespace RigidBodyDynamics
             if (end == _step)
                 return end;
 
-            Exception found = StepLoaded();
+            Exception found = StepAside();
             if (found != null)
             {
                 failure = found;
@@ -79,7 +82,7 @@ namespace RigidBodyDynamics
                 return;
 
             _stayed = _step;
-            TakeBackLoaded();
+            TakeBack();
             if (_step == EndOfStretch && _stretch + 1 < _coasts.Length)
             {
                 bool coasted = _coasts[_stretch];
@@ -136,33 +139,54 @@ namespace RigidBodyDynamics
             }
         }
 
-        /// <summary>Those that the program pushes make the step by themselves, aside.</summary>
-        private Exception StepLoaded()
+        /// <summary>Those that the program pushes make the step by themselves, aside; and all where it begins with an impulse.</summary>
+        private Exception StepAside()
         {
-            foreach (KeyValuePair<Body, Load> loaded in _loads)
+            Exception found = null;
+            _areAllAside = Gives;
+            if (!_areAllAside)
             {
-                Load = loaded.Value;
-                Body body = loaded.Key;
-                if (!_crowd.StepAside(Plan, _stretch, body.Place, _step, this))
-                    return _crowd.Blame(Plan, _stretch, body.Place, body, _step, this) ?? new StateOverflowException(Plan, _step, body);
+                foreach (KeyValuePair<Body, Load> loaded in _loads)
+                    found = found ?? StepAside(loaded.Key, loaded.Value, isLoaded: true);
             }
 
-            return null;
+            for (int i = 0; _areAllAside && found == null && i < Count; i++)
+                found = StepAside(_places[i], _loads.TryGetValue(_places[i], out Load load) ? load : Load.None, isLoaded: _loads.ContainsKey(_places[i]));
+
+            return found;
         }
 
-        private void TakeBackLoaded()
+        private Exception StepAside(Body body, in Load load, bool isLoaded)
+        {
+            Load = load;
+            return _crowd.StepAside(this, _stretch, body.Place, _step, isLoaded)
+                ? null
+                : _crowd.Blame(Plan, _stretch, body.Place, body, _step, this, isLoaded) ?? new StateOverflowException(Plan, _step, body);
+        }
+
+        private void TakeBack()
         {
             int aside = 0;
-            foreach (KeyValuePair<Body, Load> loaded in _loads)
+            if (!_areAllAside)
             {
-                int place = loaded.Key.Place;
-                Follow(place);
-                _crowd.TakeBack(aside++, place);
-                Keep(place);
+                foreach (KeyValuePair<Body, Load> loaded in _loads)
+                    TakeBack(aside++, loaded.Key.Place);
             }
+
+            for (; _areAllAside && aside < Count; aside++)
+                TakeBack(aside, aside);
+
+            _areAllAside = false;
 
             _crowd.ForgetAside();
             _loads.Clear();
+        }
+
+        private void TakeBack(int aside, int place)
+        {
+            Follow(place);
+            _crowd.TakeBack(aside, place);
+            Keep(place);
         }
 
         /// <summary>The first bodies come.</summary>

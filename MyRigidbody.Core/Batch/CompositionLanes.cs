@@ -72,7 +72,7 @@ namespace RigidBodyDynamics
 
             TScheme scheme = default(TScheme);
             double[] kicks = scheme.Kicks, drifts = scheme.Drifts;
-            Span<Impulse> impulses = stackalloc Impulse[kicks.Length];
+            Span<SharedImpulse> impulses = stackalloc SharedImpulse[kicks.Length];
             Span<Stage> stages = stackalloc Stage[drifts.Length];
             Instant at = new Instant(now.Step, now.Time, scheme.HoldsTime);
             for (int i = 0; i < kicks.Length; i++)
@@ -81,7 +81,7 @@ namespace RigidBodyDynamics
                 BodyState unread = default(BodyState);
                 Wrench given = default(Wrench);
                 push.Over(at, kick, unread, _mass, ref given);
-                impulses[i] = new Impulse(_canMove ? does : does & ~EffectTraits.Moves, given, _mass.InverseMass, _top.FromWorld(given.Torque), _top.FromBody(given.BodyTorque));
+                impulses[i] = new SharedImpulse(_canMove ? does : does & ~EffectTraits.Moves, given, _mass.InverseMass, _top.FromWorld(given.Torque), _top.FromBody(given.BodyTorque));
                 if (i < drifts.Length)
                     stages[i] = new Stage(length, length == _dt ? _whole : new Drift(_coasting, length));
 
@@ -104,7 +104,7 @@ namespace RigidBodyDynamics
         }
 
         [MethodImpl(Kernel.Compiled)]
-        private void Compose(ReadOnlySpan<Impulse> impulses, ReadOnlySpan<Stage> stages)
+        private void Compose(ReadOnlySpan<SharedImpulse> impulses, ReadOnlySpan<Stage> stages)
         {
             for (int i = _from; i < _to; i += Lanes.Count)
             {
@@ -147,7 +147,7 @@ namespace RigidBodyDynamics
         }
 
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
-        private void Kick(in Group bodies, in Impulse impulse)
+        private void Kick(in Group bodies, in SharedImpulse impulse)
         {
             if ((impulse.Does & EffectTraits.Moves) != 0)
                 Add(bodies, V, VLost, new VectorLanes(impulse.Velocity));
@@ -220,7 +220,7 @@ namespace RigidBodyDynamics
     }
 
     /// <summary>What pushes give to every body alike.</summary>
-    internal readonly struct Impulse
+    internal readonly struct SharedImpulse
     {
         public readonly EffectTraits Does;
 
@@ -232,7 +232,7 @@ namespace RigidBodyDynamics
 
         public readonly bool HasWorld, HasBody;
 
-        public Impulse(EffectTraits does, in Wrench given, double inverseMass, Vector3d inWorld, Vector3d inOwnAxes)
+        public SharedImpulse(EffectTraits does, in Wrench given, double inverseMass, Vector3d inWorld, Vector3d inOwnAxes)
         {
             HasWorld = !given.Torque.IsZero;
             HasBody = !given.BodyTorque.IsZero;

@@ -47,14 +47,23 @@ namespace RigidBodyDynamics
         /// <param name="place">Where the body is, which stands before the step.</param>
         /// <param name="handle">The body.</param>
         /// <param name="step">The step.</param>
-        /// <param name="loaded">Whose load acts besides; null for none.</param>
-        public abstract Exception Blame(BodyPlan plan, int stretch, int place, Body handle, long step, Mover loaded = null);
+        /// <param name="aside">Gives the impulses of a step that the body makes aside; null where it does not.</param>
+        /// <param name="isLoaded">True if the load of that acts besides.</param>
+        public abstract Exception Blame(BodyPlan plan, int stretch, int place, Body handle, long step, Mover aside = null, bool isLoaded = false);
 
         /// <summary>An impulse on a body.</summary>
         public abstract void Push(Mover mover, int place, in Wrench impulse);
 
-        /// <summary>Puts aside a body after a step under a load besides; the one in its place stays. False where it comes to no state.</summary>
-        public abstract bool StepAside(BodyPlan plan, int stretch, int place, long step, Mover loaded);
+        /// <summary>
+        /// Puts aside a body after a step that it makes by itself, with the impulses that the step begins with; the one in its place stays.
+        /// </summary>
+        /// <param name="mover">What moves it, and has its load.</param>
+        /// <param name="stretch">The stretch of the step.</param>
+        /// <param name="place">Where the body is.</param>
+        /// <param name="step">The step.</param>
+        /// <param name="isLoaded">True if the load acts.</param>
+        /// <returns>False where it comes to no state.</returns>
+        public abstract bool StepAside(Mover mover, int stretch, int place, long step, bool isLoaded);
 
         /// <summary>Takes a body that was put aside, by its number among them, into a place.</summary>
         public abstract void TakeBack(int aside, int place);

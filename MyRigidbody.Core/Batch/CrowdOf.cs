@@ -8,7 +8,7 @@ namespace RigidBodyDynamics
     internal abstract class CrowdOf<TBody> : Crowd where TBody : struct, IIntegrator
     {
         private readonly List<TBody> _aside = new List<TBody>();
-        private Stretch<TBody>[] _loaded;
+        private Stretch<TBody>[] _loaded, _unloaded;
 
         public override bool HasClosedForm(int place, in Coasting coasting)
         {
@@ -25,14 +25,20 @@ namespace RigidBodyDynamics
             In(place, body);
         }
 
-        public override bool StepAside(BodyPlan plan, int stretch, int place, long step, Mover loaded)
+        public override bool StepAside(Mover mover, int stretch, int place, long step, bool isLoaded)
         {
             TBody body = Out(place);
-            _loaded = _loaded ?? StretchBuilder<TBody>.Bind(plan, isWatched: false, loaded: loaded);
-            _loaded[stretch].Forget();
+            BodyPlan plan = mover.Plan;
+            Stretch<TBody>[] stretches = isLoaded
+                ? _loaded = _loaded ?? StretchBuilder<TBody>.Bind(plan, isWatched: false, loaded: mover)
+                : _unloaded = _unloaded ?? StretchBuilder<TBody>.Bind(plan, isWatched: false);
+            stretches[stretch].Forget();
             try
             {
-                _loaded[stretch].Run(ref body, plan.Steps, step, step + 1);
+                if (plan.Stretches[stretch].GivesAt(step))
+                    mover.Give(ref body, plan.Stretches[stretch]);
+
+                stretches[stretch].Run(ref body, plan.Steps, step, step + 1);
             }
             catch (Exception)
             {
@@ -48,12 +54,15 @@ namespace RigidBodyDynamics
 
         public override void ForgetAside() => _aside.Clear();
 
-        public override Exception Blame(BodyPlan plan, int stretch, int place, Body handle, long step, Mover loaded = null)
+        public override Exception Blame(BodyPlan plan, int stretch, int place, Body handle, long step, Mover aside = null, bool isLoaded = false)
         {
             TBody body = Out(place);
             try
             {
-                StretchBuilder<TBody>.Bind(plan, isWatched: true, loaded: loaded)[stretch].Run(ref body, plan.Steps, step, step + 1);
+                if (aside != null && plan.Stretches[stretch].GivesAt(step))
+                    aside.Give(ref body, plan.Stretches[stretch]);
+
+                StretchBuilder<TBody>.Bind(plan, isWatched: true, loaded: isLoaded ? aside : null)[stretch].Run(ref body, plan.Steps, step, step + 1);
                 return body.IsFinite ? null : new StateOverflowException(plan, step, handle);
             }
             catch (BrokenEffectException broken)

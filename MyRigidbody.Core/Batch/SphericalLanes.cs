@@ -39,7 +39,7 @@ namespace RigidBodyDynamics
 
         public Vector3d FromWorld(Vector3d v) => v;
 
-        public void Kick(in Group bodies, in Impulse impulse)
+        public void Kick(in Group bodies, in SharedImpulse impulse)
         {
             VectorLanes change = new VectorLanes(impulse.World);
             if (impulse.HasBody)

@@ -61,7 +61,7 @@ namespace RigidBodyDynamics
 
         public Vector3d FromWorld(Vector3d v) => _axes.FromWorld(v);
 
-        public void Kick(in Group bodies, in Impulse impulse)
+        public void Kick(in Group bodies, in SharedImpulse impulse)
         {
             QuaternionLanes q = new QuaternionLanes(bodies, Q);
             VectorLanes world = new VectorLanes(impulse.World), body = new VectorLanes(impulse.Body);

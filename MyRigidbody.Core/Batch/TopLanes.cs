@@ -17,7 +17,7 @@ namespace RigidBodyDynamics
 
         void Advance(in Group bodies, double time);
 
-        void Kick(in Group bodies, in Impulse impulse);
+        void Kick(in Group bodies, in SharedImpulse impulse);
 
         void Damp(in Group bodies, in Decay decay);
     }
@@ -57,7 +57,7 @@ namespace RigidBodyDynamics
 
         public void Advance(in Group bodies, double time) { }
 
-        public void Kick(in Group bodies, in Impulse impulse) { }
+        public void Kick(in Group bodies, in SharedImpulse impulse) { }
 
         public void Damp(in Group bodies, in Decay decay) { }
     }

@@ -100,6 +100,13 @@ namespace RigidBodyDynamics
             return this;
         }
 
+        /// <summary>Adds an impulse at the beginning of the first step that starts at a time (s) or after it.</summary>
+        public BodyDescription With(Impulse impulse, double time)
+        {
+            _effects.Add(new ImpulseEffect(impulse, time));
+            return this;
+        }
+
         /// <summary>Adds an effect of another body.</summary>
         public BodyDescription With(Effect effect)
         {

@@ -42,7 +42,10 @@ namespace RigidBodyDynamics
             Stretches = StretchPlan.Divide(body, steps, first);
 
             foreach (StretchPlan stretch in Stretches)
+            {
                 IsPushed |= stretch.Pushes.Count > 0;
+                HasImpulses |= stretch.Impulses.Count > 0;
+            }
 
             LeftOut = CanLeaveOut(first) & ~Needs(body.Start);
             Bearing = Rule.HoldsAxes ? null : Bearing.Of(body.Lock, body.Mass);
@@ -86,6 +89,11 @@ namespace RigidBodyDynamics
             {
                 moves |= (Stretches[i].Does & EffectTraits.Moves) != 0 || !Stretches[i].Coasting.Acceleration.IsZero;
                 turns |= (Stretches[i].Does & EffectTraits.Turns) != 0;
+                for (int j = Stretches[i].First >= step ? Stretches[i].Impulses.Count - 1 : -1; j >= 0; j--)
+                {
+                    moves |= (Stretches[i].Impulses[j].Impulse.Traits & EffectTraits.Moves) != 0;
+                    turns |= (Stretches[i].Impulses[j].Impulse.Traits & EffectTraits.Turns) != 0;
+                }
             }
 
             return MayLeaveOut & ((turns ? 0 : Omissions.Rotation) | (moves ? 0 : Omissions.Translation));
@@ -97,6 +105,9 @@ namespace RigidBodyDynamics
 
         /// <summary>True if an effect begins or ends after a step.</summary>
         internal bool ChangesAfter(long step) => Stretches[Stretches.Count - 1].First > step;
+
+        /// <summary>True if impulses are given at any time.</summary>
+        internal bool HasImpulses { get; }
 
         internal bool MayCoast => (MayLeaveOut & Omissions.Coasting) != 0;
 

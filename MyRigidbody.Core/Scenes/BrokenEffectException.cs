@@ -11,13 +11,13 @@ namespace RigidBodyDynamics
     {
         private readonly string _where;
 
-        internal BrokenEffectException(BodyDescription body, PushEffect effect, in Instant now, Exception thrown)
+        internal BrokenEffectException(BodyDescription body, Effect effect, in Instant now, Exception thrown)
             : base(Guard.OneLine("body \"" + body.Name + "\": effects[" + body.IndexOf(effect) + "]: " + Why(effect, now, thrown)), thrown)
         {
             _where = "effects[" + body.IndexOf(effect) + "]: ";
             Body = body.Name;
             Number = -1;
-            Effect = effect.Push;
+            Effect = effect.Motion;
             Entry = effect;
             Time = now.Time;
             Reason = Why(effect, now, thrown);
@@ -58,12 +58,12 @@ namespace RigidBodyDynamics
         /// <summary>The message without the place.</summary>
         public string Reason { get; }
 
-        private static string Why(PushEffect effect, in Instant now, Exception thrown) => Guard.OneLine(string.Format(
+        private static string Why(Effect effect, in Instant now, Exception thrown) => Guard.OneLine(string.Format(
             CultureInfo.InvariantCulture,
             "must push with a finite force and torque, and {0} at t = {1:R} s, in step {2} ({3})",
             thrown == null ? "did not" : "threw " + thrown.GetType().Name + " (" + thrown.Message + ")",
             now.Time,
             now.Step,
-            effect.Push));
+            effect.Motion));
     }
 }

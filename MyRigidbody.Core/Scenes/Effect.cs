@@ -1,6 +1,6 @@
 namespace RigidBodyDynamics
 {
-    /// <summary>An effect of a scene, and when it acts: during the steps that start at From ≤ t &lt; To.</summary>
+    /// <summary>An effect of a scene, and when it acts: during the steps that start at From ≤ t &lt; To; an impulse at From, which is To.</summary>
     public abstract class Effect
     {
         internal Effect(double from, double to)
@@ -9,13 +9,15 @@ namespace RigidBodyDynamics
             To = to > from ? to : throw Guard.Refused("to", to, "must be later than from");
         }
 
+        internal Effect(double time) => From = To = Guard.NotNegative(time, "time");
+
         /// <summary>Start of the time in which it acts, s.</summary>
         public double From { get; }
 
         /// <summary>End of the time in which it acts, s; infinite if it has none.</summary>
         public double To { get; }
 
-        /// <summary>The <see cref="IPush"/> or <see cref="ICoast"/> itself.</summary>
+        /// <summary>The <see cref="IPush"/>, <see cref="ICoast"/> or <see cref="Impulse"/> itself.</summary>
         public abstract IEffect Motion { get; }
 
         /// <summary>The same where a body coasts with it; null where it depends on the time or the orientation.</summary>
@@ -32,6 +34,16 @@ namespace RigidBodyDynamics
             _coast = Guard.NotNull(coast, nameof(coast));
 
         public override IEffect Motion => _coast;
+    }
+
+    /// <summary>An effect at the beginning of one step.</summary>
+    internal sealed class ImpulseEffect : Effect
+    {
+        public ImpulseEffect(Impulse impulse, double time) : base(time) => Impulse = impulse;
+
+        public Impulse Impulse { get; }
+
+        public override IEffect Motion => Impulse;
     }
 
     /// <summary>An effect that pushes, its type forgotten.</summary>

@@ -54,6 +54,9 @@ namespace RigidBodyDynamics
             foreach (PushEffect push in stretch.Pushes)
                 parts.Add(push.Push.ToString());
 
+            foreach (ImpulseEffect impulse in stretch.Impulses)
+                parts.Add(impulse.Impulse + ", at once");
+
             if (parts.Count == 0)
                 parts.Add("rest");
 

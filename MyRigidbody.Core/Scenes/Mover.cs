@@ -38,6 +38,22 @@ namespace RigidBodyDynamics
             body = pushed;
         }
 
+        /// <summary>Gives a body, as its rule keeps it, the impulses with which a step begins.</summary>
+        public void Give<TIntegrator>(ref TIntegrator body, StretchPlan stretch) where TIntegrator : struct, IIntegrator
+        {
+            foreach (ImpulseEffect effect in stretch.Impulses)
+            {
+                try
+                {
+                    Push(ref body, effect.Impulse.On(body.State.Orientation, Plan.Asked.Mass));
+                }
+                catch (ArgumentException refused)
+                {
+                    throw new BrokenEffectException(Plan.Asked, effect, new Instant(stretch.First, stretch.Starts), refused);
+                }
+            }
+        }
+
         /// <summary>Another state now.</summary>
         public abstract void Set(Body body, in BodyState state);
 

@@ -48,6 +48,9 @@ namespace RigidBodyDynamics
 
         private bool IsLoaded => Load.Step == _now.Step;
 
+        /// <summary>True where the next step begins with an impulse, which the state does not have yet.</summary>
+        private bool Gives => Plan.HasImpulses && Plan.Stretches[_now.Stretch].GivesAt(_now.Step);
+
         public override BodyState StateOf(Body body)
         {
             CatchUp();
@@ -178,10 +181,13 @@ namespace RigidBodyDynamics
             while (_now.Step < end)
             {
                 Stretch<TIntegrator> stretch = stretches[_now.Stretch];
-                bool isLoaded = IsLoaded;
-                long stop = isLoaded ? _now.Step + 1 : Math.Min(end, stretch.End);
+                bool isLoaded = IsLoaded, gives = Gives;
+                long stop = isLoaded || gives ? _now.Step + 1 : Math.Min(end, stretch.End);
                 if (_now.IsDormant && stop < stretch.End)
                     return;
+
+                if (gives)
+                    Give(ref _now.Motion, Plan.Stretches[_now.Stretch]);
 
                 if (isLoaded)
                     RunLoaded(stretch, loaded[_now.Stretch], stop);
@@ -196,7 +202,7 @@ namespace RigidBodyDynamics
                 if (isNext)
                     _now.Stretch++;
 
-                Settle(isNext || isLoaded);
+                Settle(isNext || isLoaded || gives);
             }
         }
 
@@ -214,7 +220,7 @@ namespace RigidBodyDynamics
         private void Settle(bool isPlace)
         {
             Stretch<TIntegrator> stretch = _stretches[_now.Stretch];
-            if ((isPlace || _now.Motion.IsAsleep) && !IsLoaded && Plan.MayCoast && stretch.LetsCoast(ref _now.Motion, _clock.Steps, _now.Step))
+            if ((isPlace || _now.Motion.IsAsleep) && !IsLoaded && !Gives && Plan.MayCoast && stretch.LetsCoast(ref _now.Motion, _clock.Steps, _now.Step))
             {
                 _now.IsDormant = _clock.SomeRest = true;
                 _now.Anchored = _now.Step;

@@ -38,6 +38,9 @@ namespace RigidBodyDynamics
             Return();
             Run(_stretches, _loaded, step - 1);
             CatchUp(step - 1);
+            if (Gives)
+                Give(ref _now.Motion, Plan.Stretches[_now.Stretch]);
+
             BodyState before = _now.Motion.State;
             _now = now;
             Forget();

@@ -8,6 +8,7 @@ namespace RigidBodyDynamics
     {
         private readonly List<PushEffect> _pushes = new List<PushEffect>();
         private readonly List<Effect> _effects = new List<Effect>();
+        private readonly List<ImpulseEffect> _impulses = new List<ImpulseEffect>();
         private readonly List<ICoast> _coasts = new List<ICoast>();
         private readonly Coasting _coasting = Coasting.Free;
 
@@ -19,6 +20,9 @@ namespace RigidBodyDynamics
             Ends = end < steps.Count ? steps.StartOf(end) : double.PositiveInfinity;
             foreach (Effect effect in body.Effects)
             {
+                if (effect is ImpulseEffect impulse && steps.Begins(first, effect.From))
+                    _impulses.Add(impulse);
+
                 if (steps.FirstAt(effect.From) > first || steps.FirstAt(effect.To) <= first)
                     continue;
 
@@ -66,6 +70,12 @@ namespace RigidBodyDynamics
 
         /// <summary>What the pushes do and read, together.</summary>
         internal EffectTraits Does { get; private set; }
+
+        /// <summary>What is given at the beginning of its first step, before anything else acts in it.</summary>
+        internal IReadOnlyList<ImpulseEffect> Impulses => _impulses;
+
+        /// <summary>True if a step begins with an impulse.</summary>
+        internal bool GivesAt(long step) => step == First && _impulses.Count > 0;
 
         private void Add(PushEffect push)
         {

@@ -15,7 +15,7 @@ namespace RigidBodyDynamics
 
         private readonly double[] _lengths;
         private readonly double[] _starts, _rests;
-        private Grid _grid;
+        private Grid _grid = new Grid { Done = double.NegativeInfinity };
 
         private TimeSteps(double length, long count)
         {
@@ -103,6 +103,9 @@ namespace RigidBodyDynamics
             return low;
         }
 
+        /// <summary>True for the step that starts at a time, or is the first to start after it.</summary>
+        internal bool Begins(long step, double time) => FirstAt(time) == step && !(time <= _grid.Done);
+
         /// <summary>Whether a list gives their lengths.</summary>
         internal bool AreListed => _lengths != null;
 
@@ -115,6 +118,9 @@ namespace RigidBodyDynamics
         /// <summary>From a step on, all steps have another length; it starts when it would have.</summary>
         internal void Turn(long step, double length)
         {
+            if (step > _grid.Origin)
+                _grid.Done = StartOf(step - 1) + Same * _grid.Length;
+
             RunningSum.Add(ref _grid.Start, ref _grid.StartLost, (step - _grid.Origin) * _grid.Length);
             _grid.Origin = step;
             _grid.Length = length;
@@ -130,6 +136,9 @@ namespace RigidBodyDynamics
         {
             public long Origin;
             public double Start, StartLost, Length;
+
+            /// <summary>What is to begin at this time or before has begun in a step before the origin.</summary>
+            public double Done;
 
             public bool Equals(in Grid other) => Origin == other.Origin && Start == other.Start && StartLost == other.StartLost && Length == other.Length;
         }

@@ -29,6 +29,10 @@ internal static class Phrases
                 "drag $1 /s，angularDrag $2 /s，角速度上限 $3 rad/s，0.2 s 内速度之和低于 $4 J/kg 时休眠"),
 
             // effects
+            (@"^impulse (.*), body axes, at once$", "冲量 $1，刚体坐标轴，瞬时"),
+            (@"^impulse (.*), at once$", "冲量 $1，瞬时"),
+            (@" of the body\b", "（刚体上的点）"),
+            (@"(?<= N s)(.*) and (.*) N m s", "$1，角冲量 $2 N m s"),
             (@"\bgravity\b", "重力"),
             (@"\bangular damping\b", "角速度阻尼"),
             (@"\blinear damping\b", "速度阻尼"),

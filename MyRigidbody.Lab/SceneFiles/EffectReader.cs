@@ -3,7 +3,7 @@ namespace RigidBodyDynamics.Lab;
 /// <summary>Reads an effect of a body. A new effect is one line in the table, which says its form, and the schema is made of it.</summary>
 internal static class EffectReader
 {
-    private const string PerStep = "perStep";
+    private const string PerStep = "perStep", Impulse = "impulse";
 
     private static readonly Dictionary<string, Func<Form, Func<Window, BodyDescription>>> Effects = new()
     {
@@ -24,6 +24,16 @@ internal static class EffectReader
             sine: of.Or("sin", Vector3d.Zero, torque => torque.Vector("N m")),
             cosine: of.Or("cos", Vector3d.Zero, torque => torque.Vector("N m")),
             rate: of.Or("rate", 1, rate => rate.Number("rad/s, 1 if absent"))))),
+        [Impulse] = form => form.Object("N s and N m s, at once", of =>
+        {
+            double time = Guard.NotNegative(of["time"].Number("At the beginning of the first step that starts then or later, s", 0), "time");
+            Impulse impulse = new(
+                inBody: InBody(of),
+                linear: of.Or("linear", Vector3d.Zero, linear => linear.Vector("N s")),
+                angular: of.Or("angular", Vector3d.Zero, angular => angular.Vector("N m s, besides what the linear one gives")),
+                at: At(of));
+            return (Func<Window, BodyDescription>)(window => window.Body.With(impulse, time));
+        }),
         ["key"] = Push(form => new KeyPush((LabKey)form.OneOf(
             "A key of the lab: 5 N along -x, +x, +y, -y; torque (sin t, sin t, sin t)", Enum.GetNames<LabKey>()))),
         ["linearDamping"] = Coast(form => new LinearDamping(form.Number("Rate, 1/s: the velocity falls by exp(-c dt)", 0))),
@@ -51,8 +61,8 @@ internal static class EffectReader
     /// <summary>Names of all effects.</summary>
     public static IEnumerable<string> Names => Effects.Keys;
 
-    /// <summary>True for an effect that may act for a part of the time; one that says what acts in every step may not.</summary>
-    public static bool HasWindow(string name) => name != PerStep;
+    /// <summary>True for an effect that may act for a part of the time; one that says itself when it acts may not.</summary>
+    public static bool HasWindow(string name) => name is not (PerStep or Impulse);
 
     /// <summary>Puts an effect's form through its reader.</summary>
     public static void Fill(string name, Form form) => Effects[name](form);
@@ -76,7 +86,7 @@ internal static class EffectReader
 
         if (!HasWindow(name) && (from ?? to) is Place window)
         {
-            throw window.Wrong("must not stand beside perStep, which says for every step what acts");
+            throw window.Wrong($"must not stand beside {name}, which says itself when it acts");
         }
 
         Func<Window, BodyDescription> add = effect.Make(() => read(new FilledForm(effect)));
