@@ -1,4 +1,5 @@
 using System.Text.Json;
+using RigidBodyDynamics.Lab.Meshes;
 
 namespace RigidBodyDynamics.Lab;
 
@@ -6,6 +7,7 @@ namespace RigidBodyDynamics.Lab;
 internal sealed class Fields
 {
     private readonly List<string> _known = [];
+    private MeshShelf? _meshes;
 
     /// <summary>The fields of an object.</summary>
     public Fields(Place place)
@@ -15,6 +17,9 @@ internal sealed class Fields
 
     /// <summary>Where the object stands.</summary>
     public Place Place { get; }
+
+    /// <summary>The meshes that the whole file names.</summary>
+    public MeshShelf Meshes => Place.Above is Fields above ? above.Meshes : _meshes ??= new MeshShelf();
 
     /// <summary>A field that must be there.</summary>
     public Place Required(string name) => Optional(name) ?? throw Place.Wrong($"\"{name}\" is missing");

@@ -1,3 +1,5 @@
+using RigidBodyDynamics.Lab.Meshes;
+
 namespace RigidBodyDynamics.Lab;
 
 /// <summary>
@@ -29,6 +31,9 @@ internal abstract class Form
 
     /// <summary>A list of what is a part of a body, at least one.</summary>
     public abstract T[] Parts<T>(string about, Func<Fields, T> read);
+
+    /// <summary>What is made of a mesh; the name of its file, beside the scene.</summary>
+    public abstract T Mesh<T>(string about, Func<MeshFile, T> read);
 
     /// <summary>One of some words; returns its number.</summary>
     public abstract int OneOf(string about, params string[] words);
@@ -85,6 +90,20 @@ internal sealed class FilledForm(Place place) : Form
         part.End();
         return made;
     });
+
+    public override T Mesh<T>(string about, Func<MeshFile, T> read)
+    {
+        string name = place.Text(), path = Path.Combine(Path.GetDirectoryName(Path.GetFullPath(place.File)) ?? string.Empty, name);
+        try
+        {
+            return read((place.Above ?? Known).Meshes.Read(path));
+        }
+        catch (InputException wrong)
+        {
+            // the file as the scene calls it, and the place where it does
+            throw place.Wrong(wrong.Message.Replace(path, name, StringComparison.Ordinal));
+        }
+    }
 
     public override int OneOf(string about, params string[] words) => place.OneOf(words);
 

@@ -33,6 +33,11 @@ internal static class InertiaReader
         ["solidCapsule"] = new("A solid cylinder between two half balls", (of, given) => of["solidCapsule"].Object("Radius, height and axis", shape =>
             Solids.Capsule(given.Mass, shape["radius"].Positive("m"), shape["height"].Positive("Without its caps, m"), Axis(shape)))),
         ["points"] = new("Points", Points, Beside.Mass),
+        ["mesh"] = new("The solid inside a closed surface; its centre of mass as it comes out", (of, given) =>
+        {
+            Vector3d scale = of.Or("scale", Ones, factors => factors.Vector("Factors for x, y and z; 0.001 each for a file in mm; 1 if absent"));
+            return of["mesh"].Mesh("A file in STL or OBJ, beside the scene", mesh => mesh.Scaled(scale).Weighing(given.Mass));
+        }, Beside.Mass),
         ["principal"] = new("Principal moments", (of, given) => given.Tensor(
             of["principal"].Lengths("kg m^2"),
             of.Or("frame", Quaterniond.Identity, frame => frame.Turn("Principal axes to body axes"))), Beside.All),
@@ -102,7 +107,7 @@ internal static class InertiaReader
             return (names[0], Kinds[names[0]], fields.Required(names[0]));
         }
 
-        fields.End("masses", "frame");
+        fields.End("masses", "frame", "scale");
         throw fields.Place.Wrong($"must have exactly one of {string.Join(", ", Names)}, found {(names.Length == 0 ? "none" : string.Join(", ", names))}");
     }
 

@@ -13,6 +13,9 @@ internal sealed record SceneFile(
     IReadOnlyDictionary<string, MassProperties> SolidBoxes,
     Recording? Recording)
 {
+    /// <summary>The meshes that it names.</summary>
+    public IReadOnlyCollection<string> Meshes { get; init; } = [];
+
     /// <summary>The files it was read from.</summary>
-    public IEnumerable<string> Inputs => Recording == null ? [Path] : [Path, Recording.Path];
+    public IEnumerable<string> Inputs => Recording == null ? [Path, .. Meshes] : [Path, Recording.Path];
 }

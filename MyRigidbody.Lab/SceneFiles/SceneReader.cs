@@ -71,7 +71,7 @@ internal static class SceneReader
             throw list.Wrong("must have at least one body");
         }
 
-        return new SceneFile(list.File, new SceneDescription(name, about, steps, bodies), crowds, solidBoxes, null);
+        return new SceneFile(list.File, new SceneDescription(name, about, steps, bodies), crowds, solidBoxes, null) { Meshes = fields.Meshes.Files };
     }
 
     /// <summary>The crowd one of whose bodies is called by a name, "b 0"; null if there is none.</summary>

@@ -2,6 +2,7 @@ using System.Text.Encodings.Web;
 using System.Text.Json;
 using System.Text.Json.Nodes;
 using RigidBodyDynamics.Lab;
+using RigidBodyDynamics.Lab.Meshes;
 
 namespace RigidBodyDynamics.Tests.SceneFiles;
 
@@ -141,6 +142,14 @@ internal sealed class DescribedForm : Form
         IsListOf(Reference("part"), 1);
         using JsonDocument sample = JsonDocument.Parse(Sample!.ToJsonString());
         return [read(new Place("sample", null, string.Empty, sample.RootElement[0]).Fields())];
+    }
+
+    // the scene with every name has it beside it
+    public override T Mesh<T>(string about, Func<MeshFile, T> read)
+    {
+        Is(about, SceneText.MeshName);
+        Schema["type"] = "string";
+        return read(new MeshFile(SceneText.MeshName, Surface.Box(new Vector3d(1, 1, 1)).Vertices, Surface.Box(new Vector3d(1, 1, 1)).Triangles, 0));
     }
 
     public override int OneOf(string about, params string[] words)

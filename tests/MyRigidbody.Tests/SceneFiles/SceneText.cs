@@ -8,6 +8,9 @@ namespace RigidBodyDynamics.Tests.SceneFiles;
 /// <summary>Scenes as text, and what the reader says of them.</summary>
 internal static class SceneText
 {
+    /// <summary>A mesh that stands beside every scene: a cube.</summary>
+    public const string MeshName = "零件 part.obj";
+
     private const string Written = """
         {
           "$schema": "rigid-body-scene-1.schema.json", "schema": "rigid-body-scene/1",
@@ -57,6 +60,7 @@ internal static class SceneText
         using TemporaryFolder folder = new();
         string path = folder.File("scene.json");
         File.WriteAllText(path, text);
+        File.WriteAllText(folder.File(MeshName), MeshText.Obj(Surface.Box(new Vector3d(1, 1, 1))));
         return SceneReader.ReadWithCrowds(path);
     }
 
