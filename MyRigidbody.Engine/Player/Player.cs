@@ -47,6 +47,7 @@ namespace RigidBodyDynamics.Engine
                 if (Physics.IsAutomatic)
                     Physics.Step(Clock.FixedDeltaTime);
 
+                Coroutines.AfterFixedStep();
                 yield return Moment.AfterFixedStep;
             }
 

@@ -1,6 +1,7 @@
 using System.Collections.Generic;
 using System.IO;
 using System.Linq;
+using System.Reflection;
 using UnityEngine;
 
 namespace RigidBodyDynamics.Engine
@@ -30,7 +31,7 @@ namespace RigidBodyDynamics.Engine
         /// <summary>The objects, in the order of the hierarchy.</summary>
         internal static List<GameObject> Objects { get; } = new List<GameObject>();
 
-        /// <summary>The scripts, in the order in which they came to be.</summary>
+        /// <summary>The scripts, by their order of execution, and those of one order as they came to be.</summary>
         internal static List<MonoBehaviour> Scripts { get; } = new List<MonoBehaviour>();
 
         /// <summary>An empty world, in play mode or in the editor.</summary>
@@ -44,6 +45,7 @@ namespace RigidBodyDynamics.Engine
             ScreenHeight = 720;
             Clock.Reset();
             Keys.Reset();
+            Coroutines.Reset();
             Gui.Reset();
             Physics.Reset();
             UnityConsole.Clear();
@@ -75,8 +77,11 @@ namespace RigidBodyDynamics.Engine
             if (made is GameObject holder)
                 Objects.Add(holder);
             else if (made is MonoBehaviour script)
-                Scripts.Add(script);
+                Scripts.Insert(Scripts.FindLastIndex(other => Order(other) <= Order(script)) + 1, script);
         }
+
+        private static int Order(MonoBehaviour script) =>
+            script.GetType().GetCustomAttribute<DefaultExecutionOrder>()?.order ?? 0;
 
         internal static void DestroyLater(Object obj) => Doomed.Add(obj);
 

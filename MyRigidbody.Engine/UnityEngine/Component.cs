@@ -68,7 +68,8 @@ namespace UnityEngine
         /// <summary>Writes to the console.</summary>
         public static void print(object message) => Debug.Log(message);
 
-        public Coroutine StartCoroutine(IEnumerator routine) => throw NotHere(nameof(StartCoroutine));
+        /// <summary>Runs to the first yield, and goes on after each fixed step: it may wait for nothing else here.</summary>
+        public Coroutine StartCoroutine(IEnumerator routine) => Coroutines.Start(this, routine);
 
         public Coroutine StartCoroutine(string methodName) => throw NotHere(nameof(StartCoroutine));
 
@@ -76,11 +77,11 @@ namespace UnityEngine
 
         public void StopCoroutine(IEnumerator routine) { }
 
-        public void StopCoroutine(Coroutine routine) { }
+        public void StopCoroutine(Coroutine routine) => Coroutines.Stop(routine);
 
         public void StopCoroutine(string methodName) { }
 
-        public void StopAllCoroutines() { }
+        public void StopAllCoroutines() => Coroutines.StopAll(this);
 
         public void Invoke(string methodName, float time) => throw NotHere(nameof(Invoke));
 
@@ -137,7 +138,7 @@ namespace UnityEngine
                 Messages.Send(this, "OnDestroy");
         }
 
-        private static NotSupportedException NotHere(string member) =>
+        internal static NotSupportedException NotHere(string member) =>
             new NotSupportedException(member + ": the stand-in for the engine steps in Update and FixedUpdate alone");
     }
 }

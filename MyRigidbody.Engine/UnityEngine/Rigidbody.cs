@@ -17,6 +17,9 @@ namespace UnityEngine
 
         public bool useGravity { get; set; } = true;
 
+        /// <summary>True: the engine does not move it.</summary>
+        public bool isKinematic { get; set; }
+
         public float maxAngularVelocity { get => _maxAngularVelocity; set => Set(ref _maxAngularVelocity, value); }
 
         public float sleepThreshold { get => _sleepThreshold; set => Set(ref _sleepThreshold, value); }
@@ -133,7 +136,9 @@ namespace UnityEngine
         {
             // a script that has moved the object has moved the body
             _body.Follow(transform.position, transform.rotation);
-            _body.Step(step, Describe(), useGravity ? Physics.gravity : Vector3.zero);
+            if (!isKinematic)
+                _body.Step(step, Describe(), useGravity ? Physics.gravity : Vector3.zero);
+
             transform.Place(_body.Position, _body.Rotation);
             _body.Follow(transform.position, transform.rotation);
         }

@@ -18,6 +18,14 @@ namespace UnityEngine
     /// <summary>What goes on over many frames.</summary>
     public sealed class Coroutine : YieldInstruction
     {
-        internal Coroutine() { }
+        internal Coroutine(MonoBehaviour owner, System.Collections.IEnumerator routine)
+        {
+            Owner = owner;
+            Routine = routine;
+        }
+
+        internal MonoBehaviour Owner { get; }
+
+        internal System.Collections.IEnumerator Routine { get; }
     }
 }

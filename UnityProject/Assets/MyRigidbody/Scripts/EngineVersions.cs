@@ -57,6 +57,19 @@ namespace RigidBodyDynamics.Scripts
 #endif
         }
 
+        /// <summary>True where the engine steps its physics after each FixedUpdate, as it does unless a script has said otherwise.</summary>
+        public static bool StepsPhysicsItself
+        {
+            get
+            {
+#if UNITY_2022_2_OR_NEWER
+                return Physics.simulationMode == SimulationMode.FixedUpdate;
+#else
+                return Physics.autoSimulation;
+#endif
+            }
+        }
+
         /// <summary>One step of the engine's physics, although the game stands still.</summary>
         public static void StepPhysics()
         {

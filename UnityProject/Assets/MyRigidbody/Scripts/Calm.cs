@@ -1,0 +1,35 @@
+namespace RigidBodyDynamics.Scripts
+{
+    /// <summary>
+    /// Sees when PhysX would let a body fall asleep: in 0.2 s it has hardly moved to and fro. Whoever sets a velocity sets back the clock
+    /// that the engine has for that, so a body that is to sleep must be left alone.
+    /// </summary>
+    /// <remarks>As PhysX does it: the velocities of the steps are added up, and the energy of the sums is compared with the threshold.</remarks>
+    internal struct Calm
+    {
+        private const double LongEnough = 0.2;
+
+        private Vector3d _velocities, _spins;
+        private double _time;
+        private bool _isCalm;
+
+        /// <summary>To be called once a step.</summary>
+        /// <param name="body">The body.</param>
+        /// <param name="inertia">Of 1 kg, body axes.</param>
+        /// <param name="step">The step, s.</param>
+        public bool Look(in EngineBody body, SymmetricMatrix3 inertia, double step)
+        {
+            _velocities += body.Velocity;
+            _spins += body.Orientation.Normalized.RotateInverse(body.AngularVelocity);
+            _time += step;
+            double energy = 0.5 * (_velocities.LengthSquared + Vector3d.Dot(_spins, inertia * _spins) / body.Mass);
+            if (energy < body.SleepThreshold && _time < LongEnough)
+                return _isCalm;
+
+            _isCalm = energy < body.SleepThreshold;
+            _velocities = _spins = Vector3d.Zero;
+            _time = 0;
+            return _isCalm;
+        }
+    }
+}
