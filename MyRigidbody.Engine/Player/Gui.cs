@@ -127,6 +127,7 @@ namespace RigidBodyDynamics.Engine
             {
                 Event.current = next;
                 GUI.color = Color.white;
+                GUI.enabled = true;
                 GUI.matrix = Matrix4x4.identity;
                 _layout.Begin();
                 draw();

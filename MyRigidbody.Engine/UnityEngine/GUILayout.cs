@@ -74,6 +74,16 @@ namespace UnityEngine
 
         public static GUISkin skin { get; } = new GUISkin();
 
+        public static bool enabled { get; set; } = true;
+
         public static void Label(Rect position, string text) => Gui.Control("tag", text);
+
+        /// <summary>What holds until the end of a using block.</summary>
+        public abstract class Scope : System.IDisposable
+        {
+            public void Dispose() => CloseScope();
+
+            protected abstract void CloseScope();
+        }
     }
 }

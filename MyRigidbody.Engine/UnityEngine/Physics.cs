@@ -2,7 +2,7 @@ using RigidBodyDynamics.Engine;
 
 namespace UnityEngine
 {
-    /// <summary>The engine's physics. Nothing touches here.</summary>
+    /// <summary>The engine's physics. Nothing touches here; <see cref="Touching"/> says what would.</summary>
     public static class Physics
     {
         public static Vector3 gravity { get; set; }
@@ -31,6 +31,11 @@ namespace UnityEngine
             Step(step);
         }
 
+        /// <summary>Lets two colliders go through each other.</summary>
+        public static void IgnoreCollision(Collider collider1, Collider collider2) => IgnoreCollision(collider1, collider2, true);
+
+        public static void IgnoreCollision(Collider collider1, Collider collider2, bool ignore) => Touching.Ignore(collider1, collider2, ignore);
+
         internal static void Step(float step)
         {
             foreach (GameObject holder in World.Objects.ToArray())
@@ -38,12 +43,15 @@ namespace UnityEngine
                 if (holder.activeInHierarchy)
                     holder.GetComponent<Rigidbody>()?.Step(step);
             }
+
+            Touching.Look();
         }
 
         internal static void Reset()
         {
             gravity = new Vector3(0, -9.81f, 0);
             sleepThreshold = 0.005f;
+            Touching.Reset();
 #if UNITY_2022_2_OR_NEWER
             simulationMode = SimulationMode.FixedUpdate;
 #else

@@ -71,9 +71,10 @@ internal static class BrokenFiles
         Found("another step", Replace(Settings + "TimeManager.asset", "Fixed Timestep: 0.02", "Fixed Timestep: 0.0167"), "Fixed Timestep: 0.0167 is not =0.02"),
         Found("binary files", Replace(Settings + "EditorSettings.asset", "m_SerializationMode: 2", "m_SerializationMode: 1"), "m_SerializationMode"),
         Found(
-            "the word spelt rightly, as from 2020 on",
-            Replace(Settings + "DynamicsManager.asset", "AngluarSpeed", "AngularSpeed"),
-            "lacks m_DefaultMaxAngluarSpeed"),
+            "the word misspelt, as before 2019.3",
+            Replace(Settings + "DynamicsManager.asset", "AngularSpeed", "AngluarSpeed"),
+            "lacks m_DefaultMaxAngularSpeed"),
+        Found("the physics of 2018", Replace(Settings + "DynamicsManager.asset", "serializedVersion: 13", "serializedVersion: 11"), "serializedVersion: 11 is not =13"),
         Found("missing settings", Real.Without(Settings + "TimeManager.asset"), "TimeManager.asset: is missing"),
         Found("the editor of mainland China", Replace(Settings + "ProjectVersion.txt", "f1\n", "f1c1\n"), "must have the two lines of 2019.4.17f1"),
         Found("a scene that is not there", Replace(BuildSettings, "Lab.unity", "Labor.unity"), "lists Assets/MyRigidbody/Scenes/Labor.unity, which is not there"),

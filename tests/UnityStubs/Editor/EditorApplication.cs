@@ -26,4 +26,8 @@ namespace UnityEditor
     /// <summary>A class whose static constructor the editor calls when it has loaded the scripts.</summary>
     [AttributeUsage(AttributeTargets.Class)]
     public class InitializeOnLoadAttribute : Attribute { }
+
+    /// <summary>A static method that the editor calls when it has loaded the scripts, also while the game plays.</summary>
+    [AttributeUsage(AttributeTargets.Method)]
+    public class InitializeOnLoadMethodAttribute : Attribute { }
 }

@@ -9,7 +9,7 @@ namespace UnityEditor
     {
         public static bool PropertyField(SerializedProperty property, bool includeChildren, params GUILayoutOption[] options)
         {
-            Gui.Control("property", property.displayName);
+            Gui.Control(GUI.enabled ? "property" : "disabled property", property.displayName);
             return false;
         }
 
@@ -43,6 +43,16 @@ namespace UnityEditor
             bool hasChanged = Gui.HasChanged;
             Gui.HasChanged |= Outer.Pop();
             return hasChanged;
+        }
+
+        /// <summary>What is drawn in it cannot be changed where it is disabled.</summary>
+        public class DisabledScope : GUI.Scope
+        {
+            private readonly bool _before = GUI.enabled;
+
+            public DisabledScope(bool disabled) => GUI.enabled &= !disabled;
+
+            protected override void CloseScope() => GUI.enabled = _before;
         }
     }
 

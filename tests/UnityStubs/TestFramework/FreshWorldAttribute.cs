@@ -8,7 +8,7 @@ namespace RigidBodyDynamics.Engine
 {
     /// <summary>
     /// Every test has a world of its own, in play mode but for those of the namespace Edit; and what is in the console at its end
-    /// must have been expected.
+    /// must have been expected; and no two bodies have come so near that they would touch.
     /// </summary>
     [AttributeUsage(AttributeTargets.Assembly)]
     internal sealed class FreshWorldAttribute : Attribute, ITestAction
@@ -18,12 +18,16 @@ namespace RigidBodyDynamics.Engine
         public void BeforeTest(ITest test)
         {
             World.Scenes = SceneLoader.Scenes;
+            Touching.IsWatched = true;
             World.Begin(isPlaying: !test.ClassName.Contains(".Edit."));
         }
 
         public void AfterTest(ITest test)
         {
             string fault = UnityConsole.Fault();
+            if (Touching.Pairs.Count > 0 && !Touching.IsExpected)
+                fault = fault ?? "would touch: " + string.Join(", ", Touching.Pairs);
+
             World.End();
             // a test that failed has said why
             if (TestContext.CurrentContext.Result.Outcome.Status != TestStatus.Failed)

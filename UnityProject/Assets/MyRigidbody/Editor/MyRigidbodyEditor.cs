@@ -21,8 +21,8 @@ namespace RigidBodyDynamics.Scripts.Editing
             {
                 if (property.name == "integrator")
                     Menu(property);
-                else if (property.name != "m_Script")
-                    EditorGUILayout.PropertyField(property, true);
+                else
+                    Field(property);
             }
 
             serializedObject.ApplyModifiedProperties();
@@ -32,6 +32,13 @@ namespace RigidBodyDynamics.Scripts.Editing
 
             if (Application.isPlaying && body.IsReady)
                 EditorGUILayout.HelpBox(body.Explain(), MessageType.Info);
+        }
+
+        // the script itself can be opened here, as in every inspector, and not be changed
+        private static void Field(SerializedProperty property)
+        {
+            using (new EditorGUI.DisabledScope(property.name == "m_Script"))
+                EditorGUILayout.PropertyField(property, true);
         }
 
         private static void Menu(SerializedProperty integrator)

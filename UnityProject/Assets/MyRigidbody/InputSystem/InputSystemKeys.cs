@@ -7,6 +7,10 @@ namespace RigidBodyDynamics.Scripts
     /// <summary>The lab's keys by the Input System. An assembly of its own, which Unity leaves out where the package is not in the project.</summary>
     internal static class InputSystemKeys
     {
+        // and once more where changed scripts are loaded while the game plays
+#if UNITY_EDITOR
+        [UnityEditor.InitializeOnLoadMethod]
+#endif
         [RuntimeInitializeOnLoadMethod(RuntimeInitializeLoadType.BeforeSceneLoad)]
         private static void Register() => LabInput.Keyboard = IsDown;
 

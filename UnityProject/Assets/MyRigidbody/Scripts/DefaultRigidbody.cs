@@ -62,6 +62,10 @@ namespace RigidBodyDynamics.Scripts
             StartAgain();
         }
 
+        private void OnEnable() => Experiment.BodiesHaveChanged();
+
+        private void OnDestroy() => Experiment.BodiesHaveChanged();
+
         // once in every fixed step, just before the engine moves its bodies: what is added here acts for that one step
         private void FixedUpdate() => Step();
 

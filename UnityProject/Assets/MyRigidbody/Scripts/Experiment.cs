@@ -11,10 +11,19 @@ namespace RigidBodyDynamics.Scripts
     public sealed class Experiment : MonoBehaviour
     {
         private const float Slow = 0.1f;
+        private static int _comings;
         private readonly List<MyRigidbody> _mine = new List<MyRigidbody>();
         private readonly List<DefaultRigidbody> _theirs = new List<DefaultRigidbody>();
         private readonly List<StudentBody> _students = new List<StudentBody>();
-        private bool _isPaused, _isSlow, _hasGathered;
+        private bool _isPaused, _isSlow;
+        private int _steps;
+
+        // the speed of time that others want, and the one that was set here last
+        private float _theirScale = 1, _ourScale = -1;
+
+        // when the lists were filled; Unity keeps private fields while it loads changed scripts, but no lists that are read only
+        [System.NonSerialized]
+        private int _gathered = -1;
 
         /// <summary>The bodies moved by the library, in the order of the scene's hierarchy. To be asked from Start on.</summary>
         public IReadOnlyList<MyRigidbody> Mine
@@ -47,7 +56,7 @@ namespace RigidBodyDynamics.Scripts
         }
 
         /// <summary>Fixed steps since the start.</summary>
-        public int Steps { get; private set; }
+        public int Steps => _steps;
 
         /// <summary>Time since the start, s.</summary>
         public double Seconds => Steps * ToUnity.Meant(Time.fixedDeltaTime);
@@ -58,8 +67,11 @@ namespace RigidBodyDynamics.Scripts
             get => _isPaused;
             set
             {
+                if (value == _isPaused)
+                    return;
+
                 _isPaused = value;
-                SetTimeScale();
+                SetTimeScale(isOurs: true);
                 foreach (StudentBody body in _students)
                     body.Hold(value);
             }
@@ -71,8 +83,11 @@ namespace RigidBodyDynamics.Scripts
             get => _isSlow;
             set
             {
+                if (value == _isSlow)
+                    return;
+
                 _isSlow = value;
-                SetTimeScale();
+                SetTimeScale(isOurs: true);
             }
         }
 
@@ -82,9 +97,25 @@ namespace RigidBodyDynamics.Scripts
         /// <summary>Where the last recording was written.</summary>
         public string LastRecording { get; private set; }
 
+        /// <summary>A body has come or gone: who holds them together looks for them anew.</summary>
+        internal static void BodiesHaveChanged() => _comings++;
+
         private void Start() => Gather();
 
-        private void FixedUpdate() => Steps++;
+        private void OnEnable()
+        {
+            if (_isPaused || _isSlow)
+                SetTimeScale(isOurs: true);
+            if (_isPaused)
+                _students.ForEach(body => body.Hold(true));
+        }
+
+        // who has just come must not be touched in the step that follows
+        private void FixedUpdate()
+        {
+            Gather();
+            _steps++;
+        }
 
         private void LateUpdate()
         {
@@ -94,7 +125,7 @@ namespace RigidBodyDynamics.Scripts
 
         private void OnDisable()
         {
-            Time.timeScale = 1;
+            SetTimeScale(isOurs: false);
             foreach (StudentBody body in _students)
                 body.Hold(false);
         }
@@ -131,7 +162,7 @@ namespace RigidBodyDynamics.Scripts
                 body.StepOnce();
 
             EngineVersions.StepPhysics();
-            Steps++;
+            _steps++;
         }
 
         /// <summary>All bodies back to their starts, with their settings as they now are.</summary>
@@ -146,7 +177,8 @@ namespace RigidBodyDynamics.Scripts
             foreach (StudentBody body in Students)
                 body.StartAgain();
 
-            Steps = 0;
+            _steps = 0;
+            KeepApart();
         }
 
         /// <summary>Starts again and records the engine's bodies and the students' from there.</summary>
@@ -193,10 +225,15 @@ namespace RigidBodyDynamics.Scripts
         // in Awake the scene is not loaded yet, and Unity would not say what is in it
         private void Gather()
         {
-            if (_hasGathered)
+            int now = _comings + gameObject.scene.rootCount;
+            if (_gathered == now)
                 return;
 
-            _hasGathered = true;
+            _gathered = now;
+            List<StudentBody> before = new List<StudentBody>(_students);
+            _mine.Clear();
+            _theirs.Clear();
+            _students.Clear();
             foreach (GameObject root in gameObject.scene.GetRootGameObjects())
             {
                 _mine.AddRange(root.GetComponentsInChildren<MyRigidbody>());
@@ -204,7 +241,7 @@ namespace RigidBodyDynamics.Scripts
                 foreach (MonoBehaviour script in root.GetComponentsInChildren<MonoBehaviour>())
                 {
                     if (StudentBody.Is(script))
-                        _students.Add(new StudentBody(script));
+                        _students.Add(before.Find(body => body.IsThere && body.Transform == script.transform) ?? new StudentBody(script));
                 }
             }
 
@@ -214,9 +251,35 @@ namespace RigidBodyDynamics.Scripts
                 body.Theirs = _theirs.Find(theirs => StudentBody.SizeOf(theirs.transform) == body.Size);
                 body.Hold(_isPaused);
             }
+
+            KeepApart();
         }
 
-        private void SetTimeScale() => Time.timeScale = _isPaused ? 0 : _isSlow ? Slow : 1;
+        // bodies that are compared must not touch: one that is pushed at another by a key is another experiment
+        private void KeepApart()
+        {
+            List<Collider> colliders = new List<Collider>();
+            _mine.ForEach(body => colliders.AddRange(body.GetComponentsInChildren<Collider>()));
+            _theirs.ForEach(body => colliders.AddRange(body.GetComponentsInChildren<Collider>()));
+            foreach (StudentBody body in _students.FindAll(body => body.IsThere))
+                colliders.AddRange(body.Transform.GetComponentsInChildren<Collider>());
+
+            for (int i = 0; i < colliders.Count; i++)
+            {
+                for (int j = 0; j < i; j++)
+                    Physics.IgnoreCollision(colliders[i], colliders[j]);
+            }
+        }
+
+        // a script may set the speed of time, too: what it has set holds, and holds again when nothing is paused or slow here
+        private void SetTimeScale(bool isOurs)
+        {
+            if (Time.timeScale != _ourScale)
+                _theirScale = Time.timeScale;
+
+            float scale = !isOurs ? _theirScale : _isPaused ? 0 : _isSlow ? Slow * _theirScale : _theirScale;
+            Time.timeScale = _ourScale = scale;
+        }
 
         private static string FileName(string name)
         {

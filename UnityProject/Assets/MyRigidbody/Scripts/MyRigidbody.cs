@@ -61,6 +61,13 @@ namespace RigidBodyDynamics.Scripts
         private float _stepLength;
         private bool _isChanged, _isRefused;
 
+        // where the object was put, to see whether somebody else has put it elsewhere
+        private Vector3 _shownPosition;
+        private Quaternion _shownRotation;
+
+        // time and state, which Unity keeps where it loads changed scripts while playing; it keeps no simulation
+        private double[] _kept;
+
         /// <summary>What the body is and what acts on it, as the library was told.</summary>
         public BodyDescription Description { get; private set; }
 
@@ -89,6 +96,17 @@ namespace RigidBodyDynamics.Scripts
             StartAgain();
         }
 
+        private void OnEnable()
+        {
+            Experiment.BodiesHaveChanged();
+            if (_simulation == null && _kept != null && _kept.Length > 0)
+                TakeUp();
+        }
+
+        private void OnDisable() => _kept = IsReady ? Kept(_simulation.Time, State) : null;
+
+        private void OnDestroy() => Experiment.BodiesHaveChanged();
+
         // Unity calls this once in every fixed step, 50 times a second whatever the frame rate. Update would be called once
         // a frame, and the motion would depend on the machine.
         private void FixedUpdate() => Step();
@@ -106,6 +124,9 @@ namespace RigidBodyDynamics.Scripts
             // settings that make no body move nothing; the console has said why
             if (!IsReady)
                 return;
+
+            // who drags the object in the editor, or sets its transform, moves the body
+            Follow();
 
             // 1. the keys: the library gives 5 N to every arrow that is held, and (sin t, sin t, sin t) N m to R
             for (LabKey key = LabKey.LeftArrow; key <= LabKey.R; key++)
@@ -192,9 +213,53 @@ namespace RigidBodyDynamics.Scripts
         private void Show()
         {
             // the library counts in double, a transform holds float; what is rounded here is not read back
-            if (IsReady)
-                transform.SetPositionAndRotation(State.Position.Float(), State.Orientation.Float());
+            if (!IsReady)
+                return;
+
+            transform.SetPositionAndRotation(State.Position.Float(), State.Orientation.Float());
+            _shownPosition = transform.position;
+            _shownRotation = transform.rotation;
         }
+
+        private void Follow()
+        {
+            // to the bit: what Unity calls equal differs by a hundredth of a millimetre
+            if (transform.position.Equals(_shownPosition) && transform.rotation.Equals(_shownRotation))
+                return;
+
+            BodyState here = State;
+            here.Position = transform.position.Equals(_shownPosition) ? here.Position : transform.position.Double();
+            here.Orientation = transform.rotation.Equals(_shownRotation) ? here.Orientation : transform.rotation.Double();
+            Body.State = here;
+        }
+
+        // the scripts were loaded anew: the body goes on from where it was, and so does t
+        private void TakeUp()
+        {
+            double time = _kept[0];
+            BodyState state = new BodyState(
+                new Vector3d(_kept[1], _kept[2], _kept[3]),
+                new Quaterniond(_kept[4], _kept[5], _kept[6], _kept[7]),
+                new Vector3d(_kept[8], _kept[9], _kept[10]),
+                new Vector3d(_kept[11], _kept[12], _kept[13]));
+            _kept = null;
+            Build(goesOn: false);
+            if (!IsReady)
+                return;
+
+            Simulation later = new Simulation(TimeSteps.Every(StepLength));
+            if (time > 0)
+                later.StepBy(time);
+
+            later.Add(Description, state);
+            _simulation = later;
+        }
+
+        private static double[] Kept(double time, BodyState s) => new[]
+        {
+            time, s.Position.X, s.Position.Y, s.Position.Z, s.Orientation.W, s.Orientation.X, s.Orientation.Y, s.Orientation.Z,
+            s.Velocity.X, s.Velocity.Y, s.Velocity.Z, s.AngularVelocity.X, s.AngularVelocity.Y, s.AngularVelocity.Z,
+        };
     }
 
     /// <summary>How a body's motion dies away.</summary>

@@ -1,6 +1,7 @@
 using System;
 using System.Collections.Generic;
 using System.Globalization;
+using System.Linq;
 using UnityEngine;
 
 namespace RigidBodyDynamics.Scripts
@@ -22,12 +23,16 @@ namespace RigidBodyDynamics.Scripts
         private void Start()
         {
             _experiment = GetComponent<Experiment>();
-            foreach (MyRigidbody body in _experiment.Mine)
-                _yardsticks.Add(new Yardstick(body));
         }
 
         private void Update()
         {
+            // bodies come and go, and where scripts are loaded anew all yardsticks are gone
+            IReadOnlyList<MyRigidbody> mine = _experiment.Mine;
+            _yardsticks.RemoveAll(yardstick => !mine.Contains(yardstick.Body));
+            foreach (MyRigidbody body in mine.Where(body => !_yardsticks.Exists(yardstick => yardstick.Body == body)))
+                _yardsticks.Add(new Yardstick(body));
+
             foreach (Yardstick yardstick in _yardsticks)
                 yardstick.Follow();
 
@@ -50,8 +55,11 @@ namespace RigidBodyDynamics.Scripts
             Row("time 时间", Text(_experiment.Seconds, "0.00") + " s");
             Keys();
             Switches();
-            for (int i = 0; i < _yardsticks.Count; i++)
-                About(_experiment.Mine[i], _yardsticks[i]);
+            foreach (Yardstick yardstick in _yardsticks)
+            {
+                if (yardstick.Body != null)
+                    About(yardstick.Body, yardstick);
+            }
 
             foreach (DefaultRigidbody body in _experiment.Theirs)
                 About(body);

@@ -19,6 +19,9 @@ namespace RigidBodyDynamics.Scripts
 
         public Yardstick(MyRigidbody body) => _body = body;
 
+        /// <summary>The body whose rule is measured.</summary>
+        public MyRigidbody Body => _body;
+
         /// <summary>Time of one step of the library, ns; the least of all measurements, as everything else only adds to it.</summary>
         public double NanosecondsPerStep { get; private set; }
 
