@@ -47,6 +47,11 @@ public sealed class EffectsPageTests
     }
 
     [Test]
+    public void Wind_needs_nothing_but_what_is_public() => Assert.That(
+        () => Outside.Program("using System;\nusing RigidBodyDynamics;\n" + string.Join('\n', Block("<!-- used -->")), "using RigidBodyDynamics;\n" + string.Join('\n', Block("<!-- Wind.cs -->"))),
+        Throws.Nothing);
+
+    [Test]
     public void Wind_is_read_from_a_scene_file_as_the_page_says()
     {
         using JsonDocument json = JsonDocument.Parse("""{ "k": 0.2, "mean": [6, 0, 0], "gust": [3, 0, 1] }""");

@@ -1,6 +1,3 @@
-using System.Reflection;
-using Microsoft.CodeAnalysis;
-using Microsoft.CodeAnalysis.CSharp;
 using NUnit.Framework;
 
 namespace RigidBodyDynamics.Tests.Repository;
@@ -19,19 +16,10 @@ public sealed class IntegratorsPageTests
     [Test]
     public void Rule_on_the_page_moves_a_body_from_outside_the_library()
     {
-        // an assembly that sees nothing of the library but what is public
         string source = "using RigidBodyDynamics;\n" + string.Join('\n', PageText.Block(Page, "<!-- MomentumEuler.cs -->"))
             + "\npublic static class Used { public static Simulation Run() {\n" + string.Join('\n', PageText.Block(Page, "<!-- used -->")) + "\nreturn simulation; } }";
-        CSharpCompilation compilation = CSharpCompilation.Create(
-            "OneOfOnesOwn",
-            [CSharpSyntaxTree.ParseText(source, new CSharpParseOptions(LanguageVersion.CSharp7_3))],
-            ((string)AppContext.GetData("TRUSTED_PLATFORM_ASSEMBLIES")!).Split(Path.PathSeparator).Append(typeof(Rule).Assembly.Location).Distinct()
-                .Select(path => MetadataReference.CreateFromFile(path)),
-            new CSharpCompilationOptions(OutputKind.DynamicallyLinkedLibrary));
-        using MemoryStream assembly = new();
-        Assert.That(compilation.Emit(assembly).Diagnostics, Is.Empty);
 
-        Body body = ((Simulation)Assembly.Load(assembly.ToArray()).GetType("Used")!.GetMethod("Run")!.Invoke(null, null)!).Bodies[0];
+        Body body = ((Simulation)Outside.Library(source).GetType("Used")!.GetMethod("Run")!.Invoke(null, null)!).Bodies[0];
         Assert.That(body.State, Is.EqualTo(Run(0.02)));
         Assert.That(body.Rule.Name, Is.EqualTo("MomentumEuler"));
         Assert.That(new Explanation(body).ToString(), Does.StartWith("top, by MomentumEuler\n  always: rotation by MomentumEuler\n"));

@@ -1,6 +1,4 @@
 using System.Reflection;
-using Microsoft.CodeAnalysis;
-using Microsoft.CodeAnalysis.CSharp;
 using NUnit.Framework;
 
 namespace RigidBodyDynamics.Tests.Repository;
@@ -43,17 +41,7 @@ public sealed class LibraryPageTests
 
     private static string[] Run(string[] listing)
     {
-        CSharpParseOptions latest = new(LanguageVersion.Latest);
-        CSharpCompilation compilation = CSharpCompilation.Create(
-            "Listing" + Guid.NewGuid().ToString("N"),
-            [CSharpSyntaxTree.ParseText(string.Join('\n', listing), latest), CSharpSyntaxTree.ParseText(Console, latest)],
-            ((string)AppContext.GetData("TRUSTED_PLATFORM_ASSEMBLIES")!).Split(Path.PathSeparator).Append(typeof(Simulation).Assembly.Location).Distinct()
-                .Select(path => MetadataReference.CreateFromFile(path)),
-            new CSharpCompilationOptions(OutputKind.ConsoleApplication));
-        using MemoryStream image = new();
-        Assert.That(compilation.Emit(image).Diagnostics.Where(found => found.Severity >= DiagnosticSeverity.Warning), Is.Empty);
-
-        Assembly assembly = Assembly.Load(image.ToArray());
+        Assembly assembly = Outside.Program(string.Join('\n', listing), Console);
         assembly.EntryPoint!.Invoke(null, [Array.Empty<string>()]);
         return assembly.GetType("Console")!.GetField("Said")!.GetValue(null)!.ToString()!.TrimEnd('\n').Split('\n');
     }

@@ -1,0 +1,35 @@
+using NUnit.Framework;
+
+namespace RigidBodyDynamics.Tests.Repository;
+
+/// <summary>What is public is what a user needs, under names that he can say beside Unity's.</summary>
+public sealed class PublicTypesTests
+{
+    private static readonly Type[] Public = typeof(Simulation).Assembly.GetExportedTypes();
+
+    [Test]
+    public void User_has_at_most_55_types_to_know()
+    {
+        TestContext.Out.WriteLine($"{Public.Length}: {string.Join(", ", Public.Select(type => type.Name).Order(StringComparer.Ordinal))}");
+        Assert.That(Public, Has.Length.LessThanOrEqualTo(55)); // measured 53
+    }
+
+    [Test]
+    public void No_type_has_the_name_of_one_of_Unitys()
+    {
+        string[] unitys = [.. File.ReadLines(Root.File("tests/data/unity-types.txt")).Where(line => !line.StartsWith('#')).Select(line => line[(line.LastIndexOf('.') + 1)..])];
+
+        Assert.That(unitys, Is.SupersetOf(new[] { "Scene", "Hand", "Key", "Keyboard" }), "what ours were called once");
+        Assert.That(Public.Select(type => type.Name.Split('`')[0]).Intersect(unitys), Is.Empty);
+    }
+
+    [TestCase("README.md")]
+    [TestCase("README.zh.md")]
+    [TestCase("MyRigidbody.Core/README.md")]
+    public void Listing_of_a_first_page_needs_nothing_else(string page)
+    {
+        IEnumerable<string> listing = File.ReadLines(Root.File(page)).SkipWhile(line => line != "```csharp").Skip(1).TakeWhile(line => line != "```");
+
+        Assert.That(() => Outside.Program("using System;\nusing RigidBodyDynamics;\n" + string.Join('\n', listing)), Throws.Nothing);
+    }
+}
