@@ -23,28 +23,28 @@ namespace RigidBodyDynamics
         }
 
         /// <summary>Mass, kg.</summary>
-        public double Mass { get; }
+        public double Mass { get; private set; }
 
         /// <summary>1 / mass, 1/kg.</summary>
-        public double InverseMass { get; }
+        public double InverseMass { get; private set; }
 
         /// <summary>Moments about the three principal axes through the centre of mass, kg m².</summary>
-        public Vector3d PrincipalMoments { get; }
+        public Vector3d PrincipalMoments { get; private set; }
 
         /// <summary>1 / principal moment, component by component.</summary>
-        public Vector3d InversePrincipalMoments { get; }
+        public Vector3d InversePrincipalMoments { get; private set; }
 
         /// <summary>
         /// Takes principal axes to body axes. Kept as it was given, so that an integrator in single precision can
         /// scale it to length 1 in its own arithmetic; all others take <c>PrincipalFrame.Normalized</c>.
         /// </summary>
-        public Quaterniond PrincipalFrame { get; }
+        public Quaterniond PrincipalFrame { get; private set; }
 
         /// <summary>The inertia tensor in body axes, about the centre of mass, kg m²; the lab's I_ref.</summary>
-        public SymmetricMatrix3 Inertia { get; }
+        public SymmetricMatrix3 Inertia { get; private set; }
 
         /// <summary>Centre of mass in the body frame, m.</summary>
-        public Vector3d CenterOfMass { get; }
+        public Vector3d CenterOfMass { get; private set; }
 
         /// <summary>All three moments equal: a turn about any axis goes on unchanged.</summary>
         public bool IsIsotropic => PrincipalMoments.X == PrincipalMoments.Y && PrincipalMoments.Y == PrincipalMoments.Z;
@@ -87,6 +87,23 @@ namespace RigidBodyDynamics
         /// <summary>The same body with its centre of mass elsewhere in the body frame.</summary>
         public MassProperties WithCenterOfMass(Vector3d centerOfMass) =>
             new MassProperties(Mass, PrincipalMoments, PrincipalFrame, Inertia, centerOfMass);
+
+        /// <summary>The same body with another part of its mass, and of its moments.</summary>
+        internal MassProperties Times(double ratio) => ((MassProperties)MemberwiseClone()).Become(this, ratio);
+
+        /// <summary>Makes this, which nobody else may have, such a part of another.</summary>
+        internal MassProperties Become(MassProperties whole, double ratio)
+        {
+            Mass = ratio * whole.Mass;
+            InverseMass = 1 / Mass;
+            PrincipalMoments = ratio * whole.PrincipalMoments;
+            InversePrincipalMoments = 1 / ratio * whole.InversePrincipalMoments;
+            Inertia = new SymmetricMatrix3(ratio * whole.Inertia.Diagonal, ratio * whole.Inertia.OffDiagonal);
+            PrincipalFrame = whole.PrincipalFrame;
+            CenterOfMass = whole.CenterOfMass;
+            _shape = null;
+            return this;
+        }
 
         private static Vector3d Possible(Vector3d moments)
         {

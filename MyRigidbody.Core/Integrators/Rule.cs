@@ -108,7 +108,7 @@ namespace RigidBodyDynamics
 
         /// <summary>True if a body has a closed form by this rule while a stretch lasts: the rule itself is asked.</summary>
         internal virtual bool Coasts(BodyDescription body, StretchPlan stretch) =>
-            stretch.Pushes.Count == 0 && Use(body, new ClosedForm(body, stretch));
+            stretch.Pushes.Count == 0 && stretch.MassCourse?.Shedding == null && Use(body, new ClosedForm(body, stretch));
 
         private sealed class ClosedForm : IRuleUse<bool>
         {

@@ -22,6 +22,14 @@ namespace RigidBodyDynamics
         public Vector3d TorqueInWorld(Quaterniond orientation) =>
             BodyTorque.IsZero ? Torque : Torque + orientation.Rotate(BodyTorque);
 
+        /// <summary>The sum of two.</summary>
+        internal Wrench With(in Wrench more) =>
+            new Wrench { Force = Force + more.Force, Torque = Torque + more.Torque, BodyTorque = BodyTorque + more.BodyTorque };
+
+        /// <summary>A part or a multiple.</summary>
+        internal Wrench Times(double factor) =>
+            new Wrench { Force = factor * Force, Torque = factor * Torque, BodyTorque = factor * BodyTorque };
+
         /// <summary>A body once this has acted on it as an impulse: in the same place, with v + F / m and ω + I⁻¹ τ.</summary>
         public BodyState AppliedTo(BodyState body, MassProperties mass)
         {

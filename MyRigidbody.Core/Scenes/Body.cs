@@ -15,8 +15,8 @@ namespace RigidBodyDynamics
         /// <summary>Its name.</summary>
         public string Name => Plan.Asked.Name;
 
-        /// <summary>Mass and inertia.</summary>
-        public MassProperties Mass => Plan.Asked.Mass;
+        /// <summary>Mass and inertia, as they are now.</summary>
+        public MassProperties Mass => Plan.ChangesMass ? Plan.Asked.Mass.Times(Plan.MassRatioAt(Simulation.StepsDone)) : Plan.Asked.Mass;
 
         /// <summary>What its motion consists of from when it was last planned, and what was left out.</summary>
         internal BodyPlan Plan => Mover.Plan;
@@ -156,7 +156,8 @@ namespace RigidBodyDynamics
         private void Push(in Load load)
         {
             Mover mover = Ready(load);
-            mover.Push(this, load.BodyForce.IsZero ? load.Wrench : load.At(mover.StateOf(this).Orientation));
+            Wrench impulse = load.BodyForce.IsZero ? load.Wrench : load.At(mover.StateOf(this).Orientation);
+            mover.Push(this, Plan.ChangesMass ? impulse.Times(1 / Plan.MassRatioAt(Simulation.StepsDone)) : impulse);
             Simulation.Sort(this);
         }
 

@@ -96,7 +96,14 @@ namespace RigidBodyDynamics
         /// <summary>Adds gravity or a damping, for all time or for a part of it (s).</summary>
         public BodyDescription With(ICoast coast, double from = 0, double to = double.PositiveInfinity)
         {
-            _effects.Add(new CoastEffect(coast, from, to));
+            _effects.Add(new PlainEffect(Guard.NotNull(coast, nameof(coast)), from, to));
+            return this;
+        }
+
+        /// <summary>Lets the mass grow or fall, for all time or for a part of it (s); it is <see cref="Mass"/> when the body comes into a simulation.</summary>
+        public BodyDescription With(MassRate rate, double from = 0, double to = double.PositiveInfinity)
+        {
+            _effects.Add(new PlainEffect(rate, from, to));
             return this;
         }
 

@@ -31,7 +31,7 @@ namespace RigidBodyDynamics
     {
         private readonly TimeSteps.Grid _division;
 
-        internal BodyPlan(BodyDescription body, TimeSteps steps, Omissions mayLeaveOut, long first = 0)
+        internal BodyPlan(BodyDescription body, TimeSteps steps, Omissions mayLeaveOut, long first = 0, double massRatio = 1)
         {
             body.Check();
             Steps = steps;
@@ -39,11 +39,12 @@ namespace RigidBodyDynamics
             MayLeaveOut = mayLeaveOut;
             Rule = body.Rule;
             Asked = body.Copy(body.Name, body.Mass);
-            Stretches = StretchPlan.Divide(body, steps, first);
+            Stretches = StretchPlan.Divide(body, steps, first, massRatio);
 
             foreach (StretchPlan stretch in Stretches)
             {
-                IsPushed |= stretch.Pushes.Count > 0;
+                IsPushed |= stretch.Pushes.Count > 0 || stretch.MassCourse?.Shedding != null;
+                ChangesMass |= stretch.MassCourse != null;
                 HasImpulses |= stretch.Impulses.Count > 0;
             }
 
@@ -101,10 +102,23 @@ namespace RigidBodyDynamics
 
         /// <summary>True if it is the plan of a body that starts at a step, too.</summary>
         internal bool HoldsFrom(long step) =>
-            step >= Stretches[0].First && (!ChangesAfter(step) || Steps.Division.Equals(_division));
+            (ChangesMass ? step == Stretches[0].First : step >= Stretches[0].First) && (!ChangesAfter(step) || Steps.Division.Equals(_division));
 
         /// <summary>True if an effect begins or ends after a step.</summary>
         internal bool ChangesAfter(long step) => Stretches[Stretches.Count - 1].First > step;
+
+        /// <summary>True if its mass is not always that which it began with.</summary>
+        internal bool ChangesMass { get; }
+
+        /// <summary>The mass before a step, as a part of that which it began with.</summary>
+        internal double MassRatioAt(long step)
+        {
+            int i = Stretches.Count - 1;
+            while (i > 0 && Stretches[i].First > step)
+                i--;
+
+            return Stretches[i].MassCourse?.At(Steps.StartOf(step)) ?? 1;
+        }
 
         /// <summary>True if impulses are given at any time.</summary>
         internal bool HasImpulses { get; }

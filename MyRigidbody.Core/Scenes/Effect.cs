@@ -20,20 +20,17 @@ namespace RigidBodyDynamics
         /// <summary>The <see cref="IPush"/>, <see cref="ICoast"/> or <see cref="Impulse"/> itself.</summary>
         public abstract IEffect Motion { get; }
 
-        /// <summary>The same where a body coasts with it; null where it depends on the time or the orientation.</summary>
+        /// <summary>The same where a body coasts with it; null for a push that depends on the time or the orientation.</summary>
         internal ICoast Coast =>
-            (Motion.Traits & (EffectTraits.ReadsTime | EffectTraits.ReadsOrientation)) == 0 ? Motion as ICoast : null;
+            Motion is IPush && (Motion.Traits & (EffectTraits.ReadsTime | EffectTraits.ReadsOrientation)) != 0 ? null : Motion as ICoast;
     }
 
-    /// <summary>An effect that a body coasts with.</summary>
-    internal sealed class CoastEffect : Effect
+    /// <summary>An effect that is no push: a body coasts with it, or loses mass.</summary>
+    internal sealed class PlainEffect : Effect
     {
-        private readonly ICoast _coast;
+        public PlainEffect(IEffect motion, double from, double to) : base(from, to) => Motion = motion;
 
-        public CoastEffect(ICoast coast, double from, double to) : base(from, to) =>
-            _coast = Guard.NotNull(coast, nameof(coast));
-
-        public override IEffect Motion => _coast;
+        public override IEffect Motion { get; }
     }
 
     /// <summary>An effect at the beginning of one step.</summary>

@@ -54,6 +54,12 @@ namespace RigidBodyDynamics
             foreach (PushEffect push in stretch.Pushes)
                 parts.Add(push.Push.ToString());
 
+            foreach (Effect effect in stretch.Effects)
+            {
+                if (effect.Motion is MassRate rate)
+                    parts.Add(rate.ToString());
+            }
+
             foreach (ImpulseEffect impulse in stretch.Impulses)
                 parts.Add(impulse.Impulse + ", at once");
 

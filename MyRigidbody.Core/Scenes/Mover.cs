@@ -45,7 +45,8 @@ namespace RigidBodyDynamics
             {
                 try
                 {
-                    Push(ref body, effect.Impulse.On(body.State.Orientation, Plan.Asked.Mass));
+                    Wrench impulse = effect.Impulse.On(body.State.Orientation, Plan.Asked.Mass);
+                    Push(ref body, stretch.MassCourse == null ? impulse : impulse.Times(1 / stretch.MassCourse.Ratio));
                 }
                 catch (ArgumentException refused)
                 {

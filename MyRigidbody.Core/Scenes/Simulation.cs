@@ -151,7 +151,8 @@ namespace RigidBodyDynamics
         {
             LoneMover last = Alone(body.Mover, body);
             bool isLoaded = last.Load.Step == StepsDone;
-            LoneMover next = Moving(At(description, state, null), isLoaded ? mayLeaveOut & ~last.Load.Needs : mayLeaveOut);
+            double ratio = description == last.Plan.Asked ? last.Plan.MassRatioAt(StepsDone) : 1;
+            LoneMover next = Moving(At(description, state, null), isLoaded ? mayLeaveOut & ~last.Load.Needs : mayLeaveOut, ratio);
             last.Arrive(mayCoast: true);
             next.Last = last.Last;
             if (isLoaded)
@@ -202,9 +203,9 @@ namespace RigidBodyDynamics
             return at;
         }
 
-        private LoneMover Moving(BodyDescription description, Omissions mayLeaveOut)
+        private LoneMover Moving(BodyDescription description, Omissions mayLeaveOut, double massRatio = 1)
         {
-            BodyPlan plan = new BodyPlan(description, _clock.Steps, mayLeaveOut, StepsDone);
+            BodyPlan plan = new BodyPlan(description, _clock.Steps, mayLeaveOut, StepsDone, massRatio);
             return plan.Rule.Build(plan, _clock);
         }
 

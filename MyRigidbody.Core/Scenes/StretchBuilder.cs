@@ -30,6 +30,9 @@ namespace RigidBodyDynamics
             _loaded = loaded;
         }
 
+        /// <summary>True where pushes act on the body as its rule has it: neither locks nor a mass that changes stand between.</summary>
+        private bool IsPlain => _plan.Bearing == null && _stretch.MassCourse == null;
+
         /// <summary>The stretches of a body, one after another.</summary>
         /// <param name="plan">Says what acts in each.</param>
         /// <param name="isWatched">True for those that tell which push is not finite.</param>
@@ -47,24 +50,33 @@ namespace RigidBodyDynamics
         public Stretch<TIntegrator> Bind<TSum>(TSum sum, int next) where TSum : struct, IPush
         {
             IReadOnlyList<PushEffect> pushes = _stretch.Pushes;
-            Bearing held = _plan.Bearing;
-            if (next == pushes.Count && (held == null || _loaded == null))
+            IPush shedding = _stretch.MassCourse?.Shedding;
+            if (next == pushes.Count && shedding == null && (IsPlain || _loaded == null))
                 return End(sum);
 
-            if (CanCompile && next < MostTyped && !_isWatched && held == null)
+            if (CanCompile && next < MostTyped && !_isWatched && IsPlain)
                 return pushes[next].Join(sum, this, next + 1);
 
             List<IPush> rest = new List<IPush>();
             for (int i = next; i < pushes.Count; i++)
                 rest.Add(_isWatched ? new Watched(pushes[i], _plan.Body) : pushes[i].Push);
 
-            if (held != null && _loaded != null)
+            if (!IsPlain && _loaded != null)
                 rest.Add(new Loaded(_loaded));
 
-            return End(new Both<TSum, Many>(sum, new Many((held == null ? rest : rest.ConvertAll(held.On)).ToArray())));
+            if (_stretch.MassCourse != null)
+                rest = rest.ConvertAll(_stretch.MassCourse.On);
+
+            if (shedding != null)
+                rest.Add(shedding);
+
+            if (_plan.Bearing != null)
+                rest = rest.ConvertAll(_plan.Bearing.On);
+
+            return End(new Both<TSum, Many>(sum, new Many(rest.ToArray())));
         }
 
-        private Stretch<TIntegrator> End<TSum>(TSum sum) where TSum : struct, IPush => _loaded == null || _plan.Bearing != null
+        private Stretch<TIntegrator> End<TSum>(TSum sum) where TSum : struct, IPush => _loaded == null || !IsPlain
             ? new Stretch<TIntegrator, TSum>(_stretch.End, _stretch.Coasting, sum)
             : (Stretch<TIntegrator>)new Stretch<TIntegrator, Both<TSum, Loaded>>(
                 _stretch.End, _stretch.Coasting, new Both<TSum, Loaded>(sum, new Loaded(_loaded)));

@@ -12,12 +12,13 @@ namespace RigidBodyDynamics
         private readonly List<ICoast> _coasts = new List<ICoast>();
         private readonly Coasting _coasting = Coasting.Free;
 
-        private StretchPlan(BodyDescription body, TimeSteps steps, long first, long end)
+        private StretchPlan(BodyDescription body, TimeSteps steps, long first, long end, double ratio)
         {
             First = first;
             End = end;
             Starts = steps.StartOf(first);
             Ends = end < steps.Count ? steps.StartOf(end) : double.PositiveInfinity;
+            MassCourse = Course(body, steps, ratio);
             foreach (Effect effect in body.Effects)
             {
                 if (effect is ImpulseEffect impulse && steps.Begins(first, effect.From))
@@ -28,16 +29,19 @@ namespace RigidBodyDynamics
 
                 _effects.Add(effect);
                 PushEffect push = effect as PushEffect;
-                if (effect.Coast is ICoast coast && (push == null || body.Rule.CoastsUnderForces))
+                if (effect.Coast is ICoast coast && (push == null || (body.Rule.CoastsUnderForces && RatioAtEnd == ratio)))
                 {
-                    coast.AddTo(ref _coasting, body.Mass);
+                    coast.AddTo(ref _coasting, ratio == 1 ? body.Mass : body.Mass.Times(ratio));
                     _coasts.Add(coast);
                 }
-                else if ((effect.Motion.Traits & (EffectTraits.Moves | EffectTraits.Turns)) != 0)
+                else if (push != null && (effect.Motion.Traits & (EffectTraits.Moves | EffectTraits.Turns)) != 0)
                 {
                     Add(push);
                 }
             }
+
+            if (MassCourse?.Shedding != null)
+                Does |= MassCourse.Shedding.Traits;
 
             _coasting.Acceleration = body.Lock.Moving(_coasting.Acceleration);
             if ((Does & EffectTraits.Turns) != 0 && (body.Lock & Locks.Turn) != 0)
@@ -77,6 +81,34 @@ namespace RigidBodyDynamics
         /// <summary>True if a step begins with an impulse.</summary>
         internal bool GivesAt(long step) => step == First && _impulses.Count > 0;
 
+        /// <summary>How its mass goes; null while that is the mass it began with.</summary>
+        internal MassCourse MassCourse { get; }
+
+        /// <summary>The part of its first mass that it has at the end.</summary>
+        internal double RatioAtEnd { get; private set; }
+
+        private MassCourse Course(BodyDescription body, TimeSteps steps, double ratio)
+        {
+            double rate = 0, shed = 0, seconds = steps.StartOf(End) - Starts;
+            RatioAtEnd = ratio;
+            for (int i = 0; i < body.Effects.Count; i++)
+            {
+                Effect effect = body.Effects[i];
+                if (!(effect.Motion is MassRate mass) || steps.FirstAt(effect.From) > First || steps.FirstAt(effect.To) <= First)
+                    continue;
+
+                rate += mass.Rate / body.Mass.Mass;
+                shed += mass.Keeps == Keeping.Momentum ? mass.Rate / body.Mass.Mass : 0;
+                RatioAtEnd = ratio + rate * seconds;
+                if (!(RatioAtEnd > 0))
+                    throw Guard.Refused("effects[" + i + "]", mass.Rate, "must leave mass to the end; all is gone at t = " + (Starts - ratio / rate).ToString("g6", System.Globalization.CultureInfo.InvariantCulture) + " s");
+
+                Guard.Finite(RatioAtEnd * body.Mass.Mass, "effects[" + i + "]");
+            }
+
+            return ratio == 1 && rate == 0 ? null : new MassCourse(Starts, ratio, rate, shed);
+        }
+
         private void Add(PushEffect push)
         {
             _pushes.Add(push);
@@ -84,7 +116,7 @@ namespace RigidBodyDynamics
         }
 
         /// <summary>Divides the time of a body, from a step on, where its effects begin and end.</summary>
-        internal static IReadOnlyList<StretchPlan> Divide(BodyDescription body, TimeSteps steps, long first)
+        internal static IReadOnlyList<StretchPlan> Divide(BodyDescription body, TimeSteps steps, long first, double ratio)
         {
             SortedSet<long> cuts = new SortedSet<long> { first, steps.Count };
             foreach (Effect effect in body.Effects)
@@ -99,7 +131,10 @@ namespace RigidBodyDynamics
             cuts.CopyTo(at);
             StretchPlan[] stretches = new StretchPlan[at.Length - 1];
             for (int i = 0; i < stretches.Length; i++)
-                stretches[i] = new StretchPlan(body, steps, at[i], at[i + 1]);
+            {
+                stretches[i] = new StretchPlan(body, steps, at[i], at[i + 1], ratio);
+                ratio = stretches[i].RatioAtEnd;
+            }
 
             return stretches;
         }

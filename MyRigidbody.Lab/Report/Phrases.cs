@@ -29,6 +29,8 @@ internal static class Phrases
                 "drag $1 /s，angularDrag $2 /s，角速度上限 $3 rad/s，0.2 s 内速度之和低于 $4 J/kg 时休眠"),
 
             // effects
+            (@"^mass (\S+) kg/s, velocity kept$", "质量变化率 $1 kg/s，速度不变"),
+            (@"^mass (\S+) kg/s, momentum kept$", "质量变化率 $1 kg/s，动量不变"),
             (@"^impulse (.*), body axes, at once$", "冲量 $1，刚体坐标轴，瞬时"),
             (@"^impulse (.*), at once$", "冲量 $1，瞬时"),
             (@" of the body\b", "（刚体上的点）"),

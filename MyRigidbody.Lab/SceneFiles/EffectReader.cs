@@ -34,6 +34,13 @@ internal static class EffectReader
                 at: At(of));
             return (Func<Window, BodyDescription>)(window => window.Body.With(impulse, time));
         }),
+        ["massRate"] = form => form.Object("The mass grows or falls, and the moments in proportion", of =>
+        {
+            MassRate rate = new(
+                of["rate"].Number("kg/s, below zero where mass is lost"),
+                (Keeping)of.Or("keeps", 0, keeps => keeps.OneOf("What goes on as it is; velocity, as of fuel, if absent", "velocity", "momentum")));
+            return (Func<Window, BodyDescription>)(window => window.Body.With(rate, window.From, window.To));
+        }),
         ["key"] = Push(form => new KeyPush((LabKey)form.OneOf(
             "A key of the lab: 5 N along -x, +x, +y, -y; torque (sin t, sin t, sin t)", Enum.GetNames<LabKey>()))),
         ["linearDamping"] = Coast(form => new LinearDamping(form.Number("Rate, 1/s: the velocity falls by exp(-c dt)", 0))),

@@ -113,12 +113,25 @@ internal readonly record struct Place(string File, Fields? Above, string Name, J
     public Fields Fields() => new(this);
 
     /// <summary>Finds what is wrong with a body as a whole.</summary>
-    public void Check(BodyDescription body) => Make(() =>
+    public void Check(BodyDescription body, TimeSteps steps) => Make(() =>
     {
         body.Check();
-        // what its rule refuses; a simulation with all its effects would be much larger than the file
-        return new Simulation(TimeSteps.Every(1), body.Copy(body.Name, body.Mass).Without(_ => true));
+        // what its rule refuses, and a mass that does not last; a simulation with all its effects would be much larger than the file
+        return new Simulation(steps, OfMass(body));
     });
+
+    /// <summary>The same body under nothing but what changes its mass, each in its place among the effects.</summary>
+    private static BodyDescription OfMass(BodyDescription body)
+    {
+        BodyDescription bare = body.Copy(body.Name, body.Mass).Without(_ => true);
+        int last = body.Effects.ToList().FindLastIndex(effect => effect.Motion is MassRate);
+        foreach (Effect effect in body.Effects.Take(last + 1))
+        {
+            _ = effect.Motion is MassRate ? bare.With(effect) : bare.With(new LinearDamping(0));
+        }
+
+        return bare;
+    }
 
     /// <summary>Tries something with what stands here; what is refused is an error of this place.</summary>
     public void Make(Action attempt) => Make(() =>

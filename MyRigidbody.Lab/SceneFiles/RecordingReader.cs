@@ -25,7 +25,7 @@ internal static class RecordingReader
         }
 
         fields.End();
-        root.Check(body);
+        root.Check(body, steps);
         SceneDescription scene = new(name, about, steps, [body]);
         return new SceneFile(root.File, scene, new Dictionary<string, ManyBodies>(), new Dictionary<string, MassProperties>(), Recording.Beside(root.File, count));
     }
@@ -51,7 +51,7 @@ internal static class RecordingReader
         double factor = decay.Single();
         decay.Make(() => body.With(new DecayPerStep(factor, factor)));
         fields.End();
-        root.Check(body);
+        root.Check(body, steps);
         SceneDescription scene = new(name, about, steps, [body]);
         Recording recording = Recording.Beside(root.File, count) with { IsOfScript = true };
         Dictionary<string, MassProperties> solidBoxes = new() { [name] = Solids.Box(mass, edges) };

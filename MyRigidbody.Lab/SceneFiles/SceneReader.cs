@@ -52,7 +52,7 @@ internal static class SceneReader
                 throw place.Wrong($"name: must be unique in the scene, found \"{body.Name}\" again");
             }
 
-            place.Check(body);
+            place.Check(body, steps);
             bodies.Add(body);
             bytes += Memory.OfStretches(body, steps);
         }

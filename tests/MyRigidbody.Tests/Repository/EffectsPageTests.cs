@@ -100,7 +100,7 @@ public sealed class EffectsPageTests
 
         Assert.That(rows.Select(cells => cells[1].Trim('`')).Where(name => name.Length > 0), Is.EquivalentTo(Names));
         Assert.That(rows.Select(cells => cells[2]), Is.EquivalentTo(structs));
-        Assert.That(rows.Select(cells => cells[5]), Is.EqualTo(rows.Select(cells => closed.Contains(cells[2]) ? kicks.Contains(cells[2]) ? "closed form; kick" : "closed form" : kicks.Contains(cells[2]) ? "kick" : "at once")));
+        Assert.That(rows.Select(cells => cells[5]), Is.EqualTo(rows.Select(cells => closed.Contains(cells[2]) ? kicks.Contains(cells[2]) ? "closed form; kick" : "closed form" : kicks.Contains(cells[2]) ? "kick" : cells[2] == "`Impulse`" ? "at once" : "all else by the mass of its time")));
         Assert.That(rows.Select(cells => cells[6]), Is.EqualTo(rows.Select(cells => Reads(traits.GetValueOrDefault(cells[2])))));
 
         static string Reads(EffectTraits traits) => string.Join(", ", Enum.GetValues<EffectTraits>()
