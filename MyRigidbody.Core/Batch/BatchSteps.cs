@@ -159,9 +159,15 @@ namespace RigidBodyDynamics
         private Exception StepAside(Body body, in Load load, bool isLoaded)
         {
             Load = load;
-            return _crowd.StepAside(this, _stretch, body.Place, _step, isLoaded)
-                ? null
-                : _crowd.Blame(Plan, _stretch, body.Place, body, _step, this, isLoaded) ?? new StateOverflowException(Plan, _step, body);
+            if (_crowd.StepAside(this, _stretch, body.Place, _step, isLoaded))
+                return null;
+
+            Exception found = _crowd.Blame(Plan, _stretch, body.Place, body, _step, this, isLoaded) ?? new StateOverflowException(Plan, _step, body);
+            // what was applied is refused with the step, as it is for one body
+            if (found is StateOverflowException)
+                _loads.Remove(body);
+
+            return found;
         }
 
         private void TakeBack()

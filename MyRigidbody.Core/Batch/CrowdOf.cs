@@ -63,7 +63,7 @@ namespace RigidBodyDynamics
                     aside.Give(ref body, plan.Stretches[stretch]);
 
                 StretchBuilder<TBody>.Bind(plan, isWatched: true, loaded: isLoaded ? aside : null)[stretch].Run(ref body, plan.Steps, step, step + 1);
-                return body.IsFinite ? null : new StateOverflowException(plan, step, handle);
+                return body.IsFinite ? null : new StateOverflowException(plan, step, handle, isLoaded);
             }
             catch (BrokenEffectException broken)
             {

@@ -108,7 +108,10 @@ namespace RigidBodyDynamics
             return (Here() as LoneMover ?? Simulation.Alone(Changing(), this)).Between(alpha);
         }
 
-        /// <summary>Pushes with a force (N) at the centre of mass during the next step.</summary>
+        /// <summary>
+        /// Pushes with a force (N) at the centre of mass during the next step. If that step does not lead to a finite state, what was
+        /// applied to the body for it is forgotten.
+        /// </summary>
         public void ApplyForce(Vector3d force, bool inBody = false) =>
             AddLoad(Load.Of(Guard.Finite(force, nameof(force)), Vector3d.Zero, inBody));
 

@@ -100,7 +100,7 @@ namespace RigidBodyDynamics
         public Body Owner { get; set; }
 
         /// <summary>The error that names the body.</summary>
-        protected StateOverflowException Lost(long step) => new StateOverflowException(Plan, step) { Handle = Owner };
+        protected StateOverflowException Lost(long step) => new StateOverflowException(Plan, step, isLoaded: Load.Step == step) { Handle = Owner };
 
         /// <summary>The step by which the body has to be stepped again, while it is dormant.</summary>
         public abstract long WakesAt { get; }

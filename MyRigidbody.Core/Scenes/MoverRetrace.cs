@@ -51,6 +51,13 @@ namespace RigidBodyDynamics
                 }
 
                 GoBack();
+                if (failure is StateOverflowException && IsLoaded)
+                {
+                    // what was applied is refused with the step, or no step would ever be possible again
+                    Load = Load.None;
+                    Changed(mayCoast: true);
+                }
+
                 // what coasts is not looked at in every step, so it may have been lost before this call
                 return Math.Max(reached, _clock.Step);
             }

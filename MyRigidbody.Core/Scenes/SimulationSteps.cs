@@ -70,7 +70,8 @@ namespace RigidBodyDynamics
 
         /// <summary>
         /// As many steps as have become due in a time (s), for instance since the last frame. What is left of it is kept for the
-        /// next call; <see cref="Alpha"/> is its part of a step, to be drawn with <see cref="Body.Between"/>.
+        /// next call; <see cref="Alpha"/> is its part of a step, to be drawn with <see cref="Body.Between"/>. Where a step fails those
+        /// before it have been taken, and the rest is what it was: no later call makes up for the time of this one.
         /// </summary>
         /// <param name="elapsed">The time, s.</param>
         /// <param name="beforeStep">Done before each of the steps: what pushes in every step belongs here.</param>

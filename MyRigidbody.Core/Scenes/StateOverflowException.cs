@@ -10,8 +10,8 @@ namespace RigidBodyDynamics
     /// </summary>
     public sealed class StateOverflowException : ArithmeticException
     {
-        internal StateOverflowException(BodyPlan plan, long step, Body handle = null) : base(Guard.OneLine(
-            "body \"" + plan.Body.Name + "\"" + (handle == null ? string.Empty : " " + handle.Index.ToString(CultureInfo.InvariantCulture)) + ": " + Why(plan, step)))
+        internal StateOverflowException(BodyPlan plan, long step, Body handle = null, bool isLoaded = false) : base(Guard.OneLine(
+            "body \"" + plan.Body.Name + "\"" + (handle == null ? string.Empty : " " + handle.Index.ToString(CultureInfo.InvariantCulture)) + ": " + Why(plan, step, isLoaded)))
         {
             Body = plan.Body.Name;
             Handle = handle;
@@ -19,7 +19,7 @@ namespace RigidBodyDynamics
             Rule = plan.Rule;
             Step = step;
             Time = plan.Steps.StartOf(step + 1);
-            Reason = Why(plan, step);
+            Reason = Why(plan, step, isLoaded);
         }
 
         /// <summary>Name of the body.</summary>
@@ -45,19 +45,22 @@ namespace RigidBodyDynamics
         /// <summary>The message without the body.</summary>
         public string Reason { get; }
 
-        private static string Why(BodyPlan plan, long step) => Guard.OneLine(string.Format(
+        private static string Why(BodyPlan plan, long step, bool isLoaded) => Guard.OneLine(string.Format(
             CultureInfo.InvariantCulture,
             "{0} has run away: no finite state at t = {1:R} s, after step {2}{3}",
             plan.Rule.Name,
             plan.Steps.StartOf(step + 1),
             step,
-            Acting(plan, step)));
+            Acting(plan, step, isLoaded)));
 
         /// <summary>What acts in the step: one of them is likely to be to blame.</summary>
-        private static string Acting(BodyPlan plan, long step)
+        private static string Acting(BodyPlan plan, long step, bool isLoaded)
         {
             const int MostNamed = 3;
             List<string> named = new List<string>();
+            if (isLoaded)
+                named.Add("what was applied for this step");
+
             foreach (StretchPlan stretch in plan.Stretches)
             {
                 for (int i = 0; stretch.First <= step && step < stretch.End && i < stretch.Effects.Count; i++)
