@@ -2,6 +2,7 @@
 // nothing to collide with. What an engine adds of itself (gravity, damping, sleep, a limit of spin) is switched off, its
 // gyroscopic term on where there is one; all else is as it comes. Each gives step(dt) and the orientation of the first body.
 import { readFile } from "node:fs/promises";
+import { startPhysX } from "./physx.mjs";
 
 const moments = { x: 1, y: 2, z: 3 };
 const spin = { x: 1, y: 1.1, z: 0.9 };
@@ -10,28 +11,11 @@ const indices = (count) => Array.from({ length: count }, (_, i) => i);
 const file = (path) => new URL(`node_modules/${path}`, import.meta.url);
 const versionOf = async (name) => JSON.parse(await readFile(file(`${name}/package.json`))).version;
 
-// PhysX's module is built for the web alone and asks by these two names where it is
-async function asInABrowser(load) {
-  const { process } = globalThis;
-  globalThis.window = globalThis;
-  delete globalThis.process;
-  try {
-    return await load();
-  } finally {
-    globalThis.process = process;
-    delete globalThis.window;
-  }
-}
-
 async function physX() {
   const enableGyroscopicForces = 1 << 10; // PxRigidBodyFlag has it, this module's list of names has not
-  const px = await asInABrowser(async () => (await import("physx-js-webidl")).default({ wasmBinary: await readFile(file("physx-js-webidl/physx-js-webidl.wasm")) }));
-  const number = px.PHYSICS_VERSION;
-  const tolerances = new px.PxTolerancesScale();
-  const foundation = px.CreateFoundation(number, new px.PxDefaultAllocator(), new px.PxDefaultErrorCallback());
-  const physics = px.CreatePhysics(number, foundation, tolerances);
+  const { px, physics, tolerances, name } = await startPhysX();
   return {
-    name: `PhysX ${number >> 24}.${(number >> 16) & 255}.${(number >> 8) & 255} (physx-js-webidl ${await versionOf("physx-js-webidl")})`,
+    name,
     world(count) {
       const about = new px.PxSceneDesc(tolerances);
       about.cpuDispatcher = px.DefaultCpuDispatcherCreate(0);

@@ -4,29 +4,36 @@ namespace RigidBodyDynamics.Scripts
     /// Sees when PhysX would let a body fall asleep: in 0.2 s it has hardly moved to and fro. Whoever sets a velocity sets back the clock
     /// that the engine has for that, so a body that is to sleep must be left alone.
     /// </summary>
-    /// <remarks>As PhysX does it: the velocities of the steps are added up, and the energy of the sums is compared with the threshold.</remarks>
+    /// <remarks>
+    /// As PhysX does it: the velocities of the steps are added up, and the energy of the sums is compared with the threshold, which is
+    /// multiplied where the body touches others, by one and their number. Here it touches three where every step has pushed it.
+    /// </remarks>
     internal struct Calm
     {
-        private const double LongEnough = 0.2;
+        private const double LongEnough = 0.2, Touching = 1 + 3;
 
         private Vector3d _velocities, _spins;
         private double _time;
-        private bool _isCalm;
+        private bool _isCalm, _isFree;
 
         /// <summary>To be called once a step.</summary>
         /// <param name="body">The body.</param>
         /// <param name="inertia">Of 1 kg, body axes.</param>
         /// <param name="step">The step, s.</param>
-        public bool Look(in EngineBody body, SymmetricMatrix3 inertia, double step)
+        /// <param name="isPushed">Whether the engine pushed it in the last step; not known while it is calm.</param>
+        public bool Look(in EngineBody body, SymmetricMatrix3 inertia, double step, bool isPushed)
         {
+            _isFree |= !isPushed && !_isCalm;
             _velocities += body.Velocity;
             _spins += body.Orientation.Normalized.RotateInverse(body.AngularVelocity);
             _time += step;
             double energy = 0.5 * (_velocities.LengthSquared + Vector3d.Dot(_spins, inertia * _spins) / body.Mass);
-            if (energy < body.SleepThreshold && _time < LongEnough)
+            bool isLow = energy < (_isFree ? 1 : Touching) * body.SleepThreshold;
+            if (isLow && _time < LongEnough)
                 return _isCalm;
 
-            _isCalm = energy < body.SleepThreshold;
+            _isCalm = isLow;
+            _isFree = false;
             _velocities = _spins = Vector3d.Zero;
             _time = 0;
             return _isCalm;

@@ -11,9 +11,10 @@ namespace RigidBodyDynamics.Scripts
     /// <remarks>It knows no engine, so that the same lines run in Unity, on the stand-in and against PhysX itself.</remarks>
     internal sealed class ExactTop
     {
-        // what float arithmetic in the engine does to an angular velocity and to an orientation in a step; measured on PhysX 5.6: 3.6e-7, 4.2e-7
+        // what float arithmetic in the engine does to an angular velocity and to an orientation in a step: on PhysX 5.6
+        // nothing, 5.8e-8 with drag, and 1.7e-7
         private const double VelocityRounding = 2e-6, TurnRounding = 4e-6;
-        // rad; at 0.001 and 0.1 boxes bounce about alike
+        // rad: where the engine has turned a body that far from the top, I is another, and L kept would be energy made
         private const double HardBlow = 0.01;
 
         private Simulation _simulation;
@@ -24,7 +25,7 @@ namespace RigidBodyDynamics.Scripts
         private BodyState _before, _now;
         private Vector3d _given, _seenVelocity;
         private Quaterniond _seenOrientation;
-        private bool _isNeeded, _isInStep;
+        private bool _isNeeded, _isInStep, _isPushed;
 
         /// <summary>False while the engine's own motion is left alone: the body sleeps or soon will, or has no gyroscopic term.</summary>
         public bool IsFollowing { get; private set; }
@@ -49,7 +50,7 @@ namespace RigidBodyDynamics.Scripts
             if (_simulation == null || step != _madeFor || !body.IsLike(_made))
                 Make(body, step);
 
-            if (!_isNeeded || body.IsAsleep || _calm.Look(body, _mass.Inertia, step))
+            if (!_isNeeded || body.IsAsleep || _calm.Look(body, _mass.Inertia, step, _isPushed))
             {
                 IsFollowing = false;
                 return null;
@@ -78,17 +79,15 @@ namespace RigidBodyDynamics.Scripts
             }
 
             Vector3d left = _keep * _given, change = body.AngularVelocity - left;
-            Quaterniond orientation = body.Orientation.Normalized, expected = _now.Orientation;
-            if (change.Length > VelocityRounding * left.Length)
-            {
+            _isPushed = change.Length > VelocityRounding * left.Length;
+            if (_isPushed)
                 Push(change / _keep);
-                expected = Turned(_seenOrientation, body.AngularVelocity);
-            }
 
-            // contacts push a body out of another without a velocity, and scripts put it elsewhere; and after a hard blow the engine
-            // has it far from the top: to catch up would take a velocity that the next contact gives back as energy
-            if (Conserved.AngleBetween(orientation, expected) > TurnRounding || Conserved.AngleBetween(orientation, _now.Orientation) > HardBlow)
-                Set(orientation, _now.AngularVelocity);
+            // the engine's place holds: a velocity to catch up by would be taken for momentum at the next contact
+            Quaterniond orientation = body.Orientation.Normalized;
+            double off = Conserved.AngleBetween(orientation, _now.Orientation);
+            if (_isPushed || off > TurnRounding)
+                Set(orientation, off < HardBlow ? AngularVelocity(orientation, Conserved.AngularMomentum(_now, _mass)) : _now.AngularVelocity);
 
             _seenOrientation = body.Orientation;
             _seenVelocity = Rounded(_now.AngularVelocity);
@@ -147,11 +146,10 @@ namespace RigidBodyDynamics.Scripts
             _now = Top.State;
         }
 
-        /// <summary>To where the engine turns a body in the step.</summary>
-        private Quaterniond Turned(Quaterniond from, Vector3d angularVelocity)
+        private Vector3d AngularVelocity(Quaterniond orientation, Vector3d momentum)
         {
-            double rate = angularVelocity.Length, half = 0.5 * rate * _madeFor;
-            return rate > 0 ? new Quaterniond(Math.Cos(half), Math.Sin(half) / rate * angularVelocity) * from.Normalized : from.Normalized;
+            Quaterniond principal = (orientation * _mass.PrincipalFrame).Normalized;
+            return principal.Rotate(Vector3d.Scale(_mass.InversePrincipalMoments, principal.RotateInverse(momentum)));
         }
 
         /// <summary>The angular velocity that makes a turn in a time; of turns that differ by whole ones, the nearest to what ω makes.</summary>
