@@ -29,6 +29,7 @@ internal static class Program
             CostCommand.Create(),
             ChooseCommand.Create(),
             ExplainCommand.Create(),
+            InertiaCommand.Create(),
             BenchCommand.Create(),
             IntegratorsCommand.Create(),
             GradeCommand.Create(),

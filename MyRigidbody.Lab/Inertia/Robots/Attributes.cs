@@ -1,0 +1,65 @@
+using System.Globalization;
+using System.Xml.Linq;
+
+namespace RigidBodyDynamics.Lab.Inertia.Robots;
+
+/// <summary>Numbers in attributes of a robot description; one that is none is refused with its line.</summary>
+/// <param name="File">The file, as the user called it.</param>
+internal sealed record Attributes(string File)
+{
+    private const int MostShown = 60;
+
+    /// <summary>A number that must be there.</summary>
+    public double Number(XElement element, string name) =>
+        Numbers(element, name, 1, 1)?[0] ?? throw Wrong(element, $"{name} is missing");
+
+    /// <summary>A number, or a default.</summary>
+    public double Number(XElement? element, string name, double otherwise) =>
+        element == null ? otherwise : Numbers(element, name, 1, 1)?[0] ?? otherwise;
+
+    /// <summary>Three numbers; null if there are none.</summary>
+    public Vector3d? Vector(XElement? element, string name) =>
+        element != null && Numbers(element, name, 3, 3) is double[] n ? new Vector3d(n[0], n[1], n[2]) : null;
+
+    /// <summary>Numbers with blanks between them; null if the attribute is not there.</summary>
+    public double[]? Numbers(XElement element, string name, int fewest, int most) =>
+        element.Attribute(name) is XAttribute attribute ? Numbers(element, name, attribute.Value, fewest, most) : null;
+
+    /// <summary>Numbers of a text that stands in an attribute.</summary>
+    public double[] Numbers(XElement element, string name, string text, int fewest, int most)
+    {
+        string[] words = text.Split((char[]?)null, StringSplitOptions.RemoveEmptyEntries);
+        if (words.Length < fewest || words.Length > most)
+        {
+            throw Wrong(element, $"{name} must have {(fewest == most ? $"{fewest}" : $"{fewest} to {most}")} number{(most == 1 ? string.Empty : "s")}, found \"{Shown(text)}\"{Xacro(text)}");
+        }
+
+        double[] numbers = new double[words.Length];
+        for (int i = 0; i < words.Length; i++)
+        {
+            if (!double.TryParse(words[i], NumberStyles.Float, CultureInfo.InvariantCulture, out numbers[i]) || !double.IsFinite(numbers[i]))
+            {
+                throw Wrong(element, $"{name} must have finite numbers, found \"{Shown(words[i])}\"{Xacro(text)}");
+            }
+        }
+
+        return numbers;
+    }
+
+    /// <summary>The error that says what is wrong at an element.</summary>
+    public InputException Wrong(XElement element, string what) => XmlFile.Wrong(File, element, $"{Shown(element.Name.LocalName)}: {what}");
+
+    /// <summary>Half of what the last digit of a number stands for: 0.0000005 of "0.333333".</summary>
+    public static double HalfDigit(string number)
+    {
+        int exponent = number.IndexOfAny(['e', 'E']), point = number.IndexOf('.');
+        int places = point < 0 ? 0 : (exponent < 0 ? number.Length : exponent) - point - 1;
+        int power = exponent >= 0 && int.TryParse(number.AsSpan(exponent + 1), NumberStyles.AllowLeadingSign, CultureInfo.InvariantCulture, out int written) ? written : 0;
+        return 0.5 * Math.Pow(10, power - places);
+    }
+
+    private static string Shown(string text) => text.Length <= MostShown ? text : text[..MostShown] + "…";
+
+    private static string Xacro(string text) =>
+        text.Contains("${", StringComparison.Ordinal) ? ": this is xacro, which must be expanded first (xacro FILE > FILE.urdf)" : string.Empty;
+}
