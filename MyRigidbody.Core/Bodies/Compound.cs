@@ -43,19 +43,10 @@ namespace RigidBodyDynamics
             foreach (Part part in _parts)
             {
                 Vector3d d = part.Center - center;
-                inertia += part.Inertia + part.Mass * About(d);
+                inertia += part.Inertia + part.Mass * SymmetricMatrix3.OfPoint(d);
             }
 
             return MassProperties.FromTensor(mass, inertia, center);
-        }
-
-        // d·d 1 − d dᵀ, with d·d − x² as y² + z²: a long thin body would lose the moment about its axis in the difference
-        internal static SymmetricMatrix3 About(Vector3d d)
-        {
-            SymmetricMatrix3 outer = SymmetricMatrix3.Outer(d);
-            Vector3d square = outer.Diagonal;
-            return new SymmetricMatrix3(
-                new Vector3d(square.Y + square.Z, square.X + square.Z, square.X + square.Y), -outer.OffDiagonal);
         }
 
         private struct Part

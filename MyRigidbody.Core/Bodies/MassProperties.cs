@@ -1,4 +1,5 @@
 using System;
+using System.Globalization;
 
 namespace RigidBodyDynamics
 {
@@ -10,11 +11,14 @@ namespace RigidBodyDynamics
 
         private TopShape _shape;
 
+        // of a tensor whose axes are not the body's: roundings of the largest moment are in all three
+        private const double SmallestPart = 4e-15;
+
         private MassProperties(double mass, Vector3d moments, Quaterniond frame, SymmetricMatrix3 inertia, Vector3d center)
         {
             Mass = Guard.Positive(mass, nameof(mass));
             Guard.Positive(1 / mass, "1 / mass");
-            PrincipalMoments = Possible(moments);
+            PrincipalMoments = moments;
             PrincipalFrame = frame;
             Inertia = inertia;
             CenterOfMass = Guard.Finite(center, "centerOfMass");
@@ -64,7 +68,7 @@ namespace RigidBodyDynamics
             SymmetricMatrix3 inertia = frame == Quaterniond.Identity
                 ? diagonal
                 : diagonal.RotatedBy(Matrix3.Of(frame.Normalized));
-            return new MassProperties(mass, moments, frame, inertia, centerOfMass);
+            return new MassProperties(mass, Possible(moments, frame, 0, moments), frame, inertia, centerOfMass);
         }
 
         /// <summary>A body with known principal moments along its own axes, about its origin.</summary>
@@ -77,12 +81,13 @@ namespace RigidBodyDynamics
             Guard.Finite(inertia.Diagonal, "inertia");
             Guard.Finite(inertia.OffDiagonal, "inertia");
             Vector3d moments = PrincipalAxes.Of(inertia, out Quaterniond frame);
-            return new MassProperties(mass, moments, frame, inertia, centerOfMass);
+            double rounding = inertia.OffDiagonal.IsZero ? 0 : SmallestPart;
+            return new MassProperties(mass, Possible(moments, frame, rounding, "principal moments " + moments), frame, inertia, centerOfMass);
         }
 
         /// <summary>A body with a known tensor about the origin of its frame, in body axes: less by Steiner's m (d·d 1 − d dᵀ) about its centre of mass d.</summary>
         public static MassProperties FromTensorAboutOrigin(double mass, SymmetricMatrix3 inertia, Vector3d centerOfMass) =>
-            FromTensor(mass, inertia - Guard.Positive(mass, nameof(mass)) * Compound.About(Guard.Finite(centerOfMass, nameof(centerOfMass))), centerOfMass);
+            FromTensor(mass, inertia - Guard.Positive(mass, nameof(mass)) * SymmetricMatrix3.OfPoint(Guard.Finite(centerOfMass, nameof(centerOfMass))), centerOfMass);
 
         /// <summary>The same body with its centre of mass elsewhere in the body frame.</summary>
         public MassProperties WithCenterOfMass(Vector3d centerOfMass) =>
@@ -105,15 +110,63 @@ namespace RigidBodyDynamics
             return this;
         }
 
-        private static Vector3d Possible(Vector3d moments)
+        /// <summary>
+        /// The same body held at the origin of its frame, as a <see cref="HeavyTop"/> is: what turns is its inertia about that point, by
+        /// Steiner's rule m (d·d 1 − d dᵀ) more than about the centre of mass d, and the origin stands in the place of the centre.
+        /// </summary>
+        public MassProperties HeldAtOrigin()
         {
+            SymmetricMatrix3 more = Mass * SymmetricMatrix3.OfPoint(PrincipalFrame.Normalized.RotateInverse(CenterOfMass));
+            return more.OffDiagonal.IsZero
+                ? FromPrincipal(Mass, PrincipalMoments + more.Diagonal, PrincipalFrame, Vector3d.Zero)
+                : FromTensor(Mass, Inertia + Mass * SymmetricMatrix3.OfPoint(CenterOfMass), Vector3d.Zero);
+        }
+
+        /// <summary>
+        /// The nearest moments that a body can have, where one exceeds the sum of the other two; the same moments where none does. Each is
+        /// moved in proportion to how uncertain it is.
+        /// </summary>
+        public static Vector3d NearestPossible(Vector3d moments, Vector3d uncertainty)
+        {
+            Guard.Positive(moments, nameof(moments));
+            Vector3d by = Guard.Positive(uncertainty, nameof(uncertainty));
+            double excess = Excess(moments), part = excess / (by.X + by.Y + by.Z);
+            double largest = Largest(moments);
+            return excess <= 0 ? moments : new Vector3d(
+                moments.X + (moments.X == largest ? -part : part) * by.X,
+                moments.Y + (moments.Y == largest ? -part : part) * by.Y,
+                moments.Z + (moments.Z == largest ? -part : part) * by.Z);
+        }
+
+        private static Vector3d Possible(Vector3d moments, Quaterniond frame, double rounding, object found)
+        {
+            double largest = Largest(moments), least = -Largest(-moments), middle = moments.X + moments.Y + moments.Z - largest - least;
+            if (Math.Abs(least) <= rounding * largest && largest - middle <= TriangleTolerance * largest)
+                throw Guard.Refused("principal", found, OnALine(moments, least, frame));
+
             Guard.Positive(moments, "principal");
             Guard.Finite(new Vector3d(1 / moments.X, 1 / moments.Y, 1 / moments.Z), "1 / principal");
-            double sum = moments.X + moments.Y + moments.Z;
-            double largest = Math.Max(moments.X, Math.Max(moments.Y, moments.Z));
-            return largest - (sum - largest) <= TriangleTolerance * largest
+            return Excess(moments) <= TriangleTolerance * largest
                 ? moments
-                : throw Guard.Refused("principal", moments, "no moment can exceed the sum of the other two");
+                : throw Guard.Refused("principal", found, "no moment can exceed the sum of the other two, and the nearest that do not are " + NearestPossible(moments, new Vector3d(1, 1, 1)));
+        }
+
+        private static double Largest(Vector3d v) => Math.Max(v.X, Math.Max(v.Y, v.Z));
+
+        /// <summary>By how much the largest exceeds the sum of the others.</summary>
+        private static double Excess(Vector3d moments) => Largest(moments) - (moments.X + moments.Y + moments.Z - Largest(moments));
+
+        private static string OnALine(Vector3d moments, double least, Quaterniond frame)
+        {
+            const double One = 1 - 1e-12;
+            if (moments.IsZero)
+                return "all points are one, and nothing resists a turn";
+
+            Vector3d axis = frame.Normalized.Rotate(
+                moments.X == least ? new Vector3d(1, 0, 0) : moments.Y == least ? new Vector3d(0, 1, 0) : new Vector3d(0, 0, 1));
+            string along = Math.Abs(axis.X) > One ? "x" : Math.Abs(axis.Y) > One ? "y" : Math.Abs(axis.Z) > One ? "z"
+                : string.Format(CultureInfo.InvariantCulture, "({0:g6}, {1:g6}, {2:g6})", axis.X, axis.Y, axis.Z);
+            return "all points lie on a line along " + along + ", and nothing resists a turn about it";
         }
     }
 }

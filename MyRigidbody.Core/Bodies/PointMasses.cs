@@ -41,7 +41,7 @@ namespace RigidBodyDynamics
             Vector3d center = moment / mass;
             SymmetricMatrix3 inertia = default(SymmetricMatrix3);
             for (int i = 0; i < masses.Count; i++)
-                inertia += masses[i] * Compound.About(points[i] - center);
+                inertia += masses[i] * SymmetricMatrix3.OfPoint(points[i] - center);
 
             return MassProperties.FromTensor(mass, inertia, center);
         }

@@ -48,6 +48,16 @@ namespace RigidBodyDynamics
         public static SymmetricMatrix3 Outer(Vector3d r) =>
             new SymmetricMatrix3(Vector3d.Scale(r, r), new Vector3d(r.Y * r.Z, r.X * r.Z, r.X * r.Y));
 
+        /// <summary>r·r 1 − r rᵀ: what a mass of 1 kg at r resists about the origin, and by Steiner's rule what moments grow by, a way r from the centre of mass.</summary>
+        public static SymmetricMatrix3 OfPoint(Vector3d r)
+        {
+            // r·r − x² as y² + z²: a long thin body would lose the moment about its axis in the difference
+            SymmetricMatrix3 outer = Outer(r);
+            Vector3d square = outer.Diagonal;
+            return new SymmetricMatrix3(
+                new Vector3d(square.Y + square.Z, square.X + square.Z, square.X + square.Y), -outer.OffDiagonal);
+        }
+
         /// <summary>Sum.</summary>
         public static SymmetricMatrix3 operator +(SymmetricMatrix3 a, SymmetricMatrix3 b) =>
             new SymmetricMatrix3(a.Diagonal + b.Diagonal, a.OffDiagonal + b.OffDiagonal);

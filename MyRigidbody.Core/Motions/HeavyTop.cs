@@ -2,7 +2,10 @@ using System.Globalization;
 
 namespace RigidBodyDynamics
 {
-    /// <summary>Gravity's torque about a pivot: −moment (axis × up). The inertia must be the one about the pivot.</summary>
+    /// <summary>
+    /// Gravity's torque about a pivot: −moment (axis × up). The body's inertia must be the one about the pivot: <see cref="MassProperties.HeldAtOrigin"/>
+    /// makes it of one about the centre of mass. By the other one a thin rod would swing in half its time.
+    /// </summary>
     public readonly struct HeavyTop : IPush
     {
         private readonly Vector3d _axis;

@@ -37,7 +37,7 @@ internal static class ChooseCommand
     private static int Execute(string path, double error, bool asJson)
     {
         Overrides.Named("--error", () => Guard.Positive(error, "error"));
-        SceneDescription asked = SceneReader.Read(path).Scene, scene = Overrides.Named(path, () => StepFree.Of(asked));
+        SceneDescription asked = SceneReader.Read(path).Told().Scene, scene = Overrides.Named(path, () => StepFree.Of(asked));
         Advice advice = null!;
         Trial lab = null!;
         BodyByBody? each = null;

@@ -51,7 +51,7 @@ internal static class CompareCommand
     /// <summary>Compares the bodies of a scene, or a recording with our own UnityRigidbody.</summary>
     public static int Execute(string path, string folder, double tolerance)
     {
-        SceneFile file = SceneReader.Read(path);
+        SceneFile file = SceneReader.Read(path).Told();
         if (file.Scene.Steps.Count > MostSteps)
         {
             throw new InputException($"{path}: steps: compare takes at most {MostSteps}, found {file.Scene.Steps.Count}");

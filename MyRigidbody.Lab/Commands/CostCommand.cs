@@ -33,7 +33,7 @@ internal static class CostCommand
         // what is wrong is refused before minutes are spent
         foreach (string path in paths)
         {
-            Overrides.Named(path, () => StepFree.Of(SceneReader.Read(path).Scene));
+            Overrides.Named(path, () => StepFree.Of(SceneReader.Read(path).Told().Scene));
         }
 
         List<Func<Action<double>, CostMotion>> motions = [.. (paths.Length > 0 ? paths : [Gallery.Lab])

@@ -38,16 +38,19 @@ internal static class ExplainCommand
             ManyBodies? crowd = read.Crowds.GetValueOrDefault(body.Name);
             Explanation explanation = new(body.Plan);
             string words = explanation.ToString();
-            string key = body.Rule.Name + words[words.IndexOf('\n', StringComparison.Ordinal)..];
+            IReadOnlyList<string> notes = read.Notes.GetValueOrDefault(body.Name, []);
+            string key = body.Rule.Name + words[words.IndexOf('\n', StringComparison.Ordinal)..] + string.Join('\n', notes);
             string name = crowd is null ? body.Name : $"{body.Name} ({crowd.Count} bodies, together)";
             if (known.TryGetValue(key, out Explained? like))
             {
                 like.Names.Add(name);
+                like.Masses.Add(body.Mass);
                 continue;
             }
 
-            bodies.Add(new Explained(body.Plan, explanation));
+            bodies.Add(new Explained(body.Plan, explanation, [.. notes, .. explanation.Notes]));
             bodies[^1].Names.Add(name);
+            bodies[^1].Masses.Add(body.Mass);
             known.Add(key, bodies[^1]);
         }
 
@@ -87,12 +90,14 @@ internal static class ExplainCommand
     }
 
     /// <summary>One or more bodies that move alike.</summary>
-    private sealed record Explained(BodyPlan Plan, Explanation Explanation)
+    private sealed record Explained(BodyPlan Plan, Explanation Explanation, IReadOnlyList<string> Notes)
     {
         private const int MostNames = 5;
         private const int MostStretches = 20;
 
         public List<string> Names { get; } = [];
+
+        public HashSet<MassProperties> Masses { get; } = [];
 
         public IReadOnlyList<Saving> Savings { get; set; } = Saving.NotMeasured(Explanation.Omitted);
 
@@ -121,7 +126,8 @@ internal static class ExplainCommand
                     + (double.IsNaN(saving.With) ? string.Empty : $"; saves {Short(saving.Nanoseconds)} ns of {Short(saving.With)} ns a step, measured"));
             }
 
-            lines.AddRange(Explanation.Notes.Select(note => "  note: " + note));
+            lines.Add("  body: " + InWords(Plan.Asked.Mass, Masses.Count));
+            lines.AddRange(Notes.Select(note => "  note: " + note));
             return lines;
         }
 
@@ -129,6 +135,9 @@ internal static class ExplainCommand
         {
             names = Names,
             integrator = Plan.Rule.Name,
+            mass = Plan.Asked.Mass.Mass,
+            principalMoments = Numbers(Plan.Asked.Mass.PrincipalMoments),
+            centerOfMass = Numbers(Plan.Asked.Mass.CenterOfMass),
             stretches = Plan.Stretches.Select(stretch => new
             {
                 from = Plan.Steps.StartOf(stretch.First),
@@ -144,8 +153,15 @@ internal static class ExplainCommand
                 nanosecondsSaved = Finite(saving.Nanoseconds),
                 nanosecondsWithIt = Finite(saving.With),
             }),
-            notes = Explanation.Notes,
+            notes = Notes,
         };
+
+        private static string InWords(MassProperties mass, int kinds) => kinds > 1
+            ? $"of {kinds} kinds; the first has {InWords(mass, 1)}"
+            : string.Create(CultureInfo.InvariantCulture, $"{mass.Mass:g6} kg, principal moments ({mass.PrincipalMoments.X:g6}, {mass.PrincipalMoments.Y:g6}, {mass.PrincipalMoments.Z:g6}) kg m²")
+                + (mass.CenterOfMass.IsZero ? string.Empty : string.Create(CultureInfo.InvariantCulture, $", centre of mass ({mass.CenterOfMass.X:g6}, {mass.CenterOfMass.Y:g6}, {mass.CenterOfMass.Z:g6}) m"));
+
+        private static double[] Numbers(Vector3d v) => [v.X, v.Y, v.Z];
 
         private static double? Finite(double figure) => double.IsFinite(figure) ? Math.Round(figure, 2) : null;
 

@@ -58,7 +58,7 @@ internal static class RunCommand
             throw new InputException($"--report: must be another file than --out, found {report}");
         }
 
-        SceneFile read = SceneReader.ReadWithCrowds(path);
+        SceneFile read = SceneReader.ReadWithCrowds(path).Told();
         SceneDescription scene = Overrides.Apply(read.Scene, integrator, step);
         if (output == null)
         {

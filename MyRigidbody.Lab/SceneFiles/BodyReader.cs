@@ -5,8 +5,9 @@ internal static class BodyReader
 {
     private static readonly string[] LabIntegrators = ["LabEuler", "ExplicitEuler"];
 
-    /// <summary>The body; what it is in numbers, and the solid box of one that is made of vertices, is noted by its name.</summary>
-    public static BodyDescription Read(Place place, Dictionary<string, MassProperties> solidBoxes, Dictionary<string, ManyBodies> crowds)
+    /// <summary>The body; what it is in numbers, the solid box of one that is made of vertices, and what the user should know are noted by its name.</summary>
+    public static BodyDescription Read(
+        Place place, Dictionary<string, MassProperties> solidBoxes, Dictionary<string, ManyBodies> crowds, Dictionary<string, IReadOnlyList<string>> notes)
     {
         Fields fields = place.Fields();
         string name = fields.Required("name").ShortText();
@@ -14,7 +15,7 @@ internal static class BodyReader
         Rule rule = integrator is Place named
             ? named.Make(() => Rules.Named(named.Text()))
             : Rules.Default;
-        BodyInertia inertia = InertiaReader.Read(fields);
+        BodyInertia inertia = InertiaReader.Read(fields, name);
 
         BodyDescription body = place.Make(() => new BodyDescription(name, inertia.Mass));
         body.Rule = rule;
@@ -38,6 +39,7 @@ internal static class BodyReader
             EffectReader.Read(effect, body);
         }
 
+        body = Pivot.Hold(fields, body, ref inertia);
         if (ManyBodies.Read(fields, body) is ManyBodies crowd)
         {
             crowds[name] = crowd;
@@ -47,6 +49,11 @@ internal static class BodyReader
         if (inertia.SolidBox != null)
         {
             solidBoxes[name] = inertia.SolidBox;
+        }
+
+        if (inertia.Notes.Count > 0)
+        {
+            notes[name] = inertia.Notes;
         }
 
         return body;

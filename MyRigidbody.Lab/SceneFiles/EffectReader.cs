@@ -56,10 +56,14 @@ internal static class EffectReader
             of.Or("anchor", Vector3d.Zero, anchor => anchor.Vector("Body frame, m; the origin if absent")),
             of["at"].Vector("World, m"),
             of["stiffness"].Number("N/m", 0)))),
-        ["heavyTop"] = Push(form => form.Object("Gravity's torque about a pivot: -moment (axis x up)", of => new HeavyTop(
-            of["axis"].Vector("From the pivot to the centre of mass, body axes; its direction counts"),
-            of["moment"].Number("m g l, N m"),
-            of["up"].Vector("World axes; its direction counts")))),
+        [Pivot.Effect] = Push(form => form.Object("Gravity's torque about a pivot: -moment (axis x up)", of =>
+        {
+            of.Or(Pivot.Point, 0, point => point.OneOf("The point that the body's inertia is about; the pivot is the origin of the body frame", Pivot.Points));
+            return new HeavyTop(
+                of["axis"].Vector("From the pivot to the centre of mass, body axes; its direction counts"),
+                of["moment"].Number("m g l, N m"),
+                of["up"].Vector("World axes; its direction counts"));
+        })),
         [PerStep] = Push(form => form.Object("One value a step, world axes", of => new PerStep(
             of.Or("force", [], force => force.Vectors("N")),
             of.Or("torque", [], torque => torque.Vectors("N m"))))),

@@ -12,6 +12,8 @@ internal static class InertiaReader
     // a mass beside masses may be rounded in the file, no more
     private const double SameMass = 1e-9;
 
+    // a tensor as URDF and SDF name its numbers
+    private static readonly string[] Robots = ["ixx", "iyy", "izz", "ixy", "ixz", "iyz"];
     private static readonly string[] Axes = ["x", "y", "z"];
     private static readonly Vector3d Ones = new(1, 1, 1);
 
@@ -38,13 +40,13 @@ internal static class InertiaReader
             Vector3d scale = of.Or("scale", Ones, factors => factors.Vector("Factors for x, y and z; 0.001 each for a file in mm; 1 if absent"));
             return of["mesh"].Mesh("A file in STL or OBJ, beside the scene", mesh => mesh.Scaled(scale).Weighing(given.Mass));
         }, Beside.Mass),
-        ["principal"] = new("Principal moments", (of, given) => given.Tensor(
+        ["principal"] = new("Principal moments", (of, given) => given.Principal(
             of["principal"].Lengths("kg m^2"),
             of.Or("frame", Quaterniond.Identity, frame => frame.Turn("Principal axes to body axes"))), Beside.All),
         ["tensor"] = new("The tensor's elements; beside the diagonal minus the integral of the product, as in URDF and MJCF", (of, given) => given.Tensor(
             of["tensor"].Object("kg m^2, body axes", Tensor)), Beside.All),
         ["compound"] = new("Parts, of which mass and centre of mass follow", (of, given) =>
-            given.Depth < Deepest ? Together(of["compound"].Parts("One or more", part => Part(part, given.Depth + 1)))
+            given.Depth < Deepest ? Together(of["compound"].Parts("One or more", part => Part(part, given)))
             : throw Guard.Refused("compound", given.Depth + 1, $"must not be nested deeper than {Deepest}"), Beside.Nothing),
     };
 
@@ -66,45 +68,66 @@ internal static class InertiaReader
     private static string Numeric => string.Join(" and ", Names.Where(name => (Kinds[name].Beside & Beside.About) != 0));
 
     /// <summary>Puts the form of a kind through its reader.</summary>
-    public static void Fill(string name, Form form) => form.Object(Kinds[name].About, of => Kinds[name].Read(of, new Given(1, default, false, 0)));
+    public static void Fill(string name, Form form) => form.Object(Kinds[name].About, of => Kinds[name].Read(of, new Given(1, Vector3d.Zero, null, 0)));
 
-    /// <summary>What the fields of a body say.</summary>
-    public static BodyInertia Read(Fields body) => Read(body, 0);
+    /// <summary>What the fields of a body say, or of a part, which has no name.</summary>
+    public static BodyInertia Read(Fields body, string? name, int depth = 0)
+    {
+        try
+        {
+            return Read(body, depth);
+        }
+        catch (InputException wrong) when (name != null)
+        {
+            throw new InputException($"{wrong.Message}, in body \"{name}\"");
+        }
+    }
 
     private static BodyInertia Read(Fields body, int depth)
     {
         Place? mass = body.Optional("mass"), inertia = body.Optional("inertia"), center = body.Optional("centerOfMass"), about = body.Optional("about");
         double kilograms = mass?.Make(() => Guard.Positive(mass.Value.Number(), string.Empty)) ?? 1;
-        bool isAboutOrigin = about?.OneOf("centerOfMass", "origin") == 1;
-        if (inertia is not Place spread)
+        if (inertia is Place spread)
         {
-            MassProperties box = mass?.Make(() => Solids.Box(kilograms, Ones)) ?? UnitBox;
-            Refuse(about, $"is for {Numeric} only, and no inertia is given here");
-            return new BodyInertia(Centered(box, center), null, false);
+            Place? fromOrigin = about?.OneOf("centerOfMass", "origin") == 1 ? about : null;
+            return Read(spread, mass, center, about, new Given(kilograms, center?.Vector() ?? Vector3d.Zero, fromOrigin, depth));
         }
 
+        Refuse(about, $"is for {Numeric} only, and no inertia is given here");
+        MassProperties box = mass?.Make(() => Solids.Box(kilograms, Ones)) ?? UnitBox;
+        return new BodyInertia(Centered(box, center), null, "solidBox", false, []);
+    }
+
+    private static BodyInertia Read(Place spread, Place? mass, Place? center, Place? about, Given given)
+    {
         Fields fields = spread.Fields();
-        (string name, Kind kind, Place shape) = KindOf(fields);
+        (string name, Kind kind) = KindOf(fields);
         Refuse((kind.Beside & Beside.Mass) == 0 ? mass : null, $"must not stand beside {name}, whose parts say it");
         Refuse((kind.Beside & Beside.Center) == 0 ? center : null, $"must not stand beside {name}, which says where it is");
         Refuse((kind.Beside & Beside.About) == 0 ? about : null, $"is for {Numeric} only; {name} is about its own centre of mass");
-        Given given = new(kilograms, center?.Vector() ?? Vector3d.Zero, isAboutOrigin, depth);
+        Place shape = fields.Required(name);
+        given.Shape = shape;
         MassProperties found = shape.Make(() => new FilledForm(fields).Object(kind.About, of => kind.Read(of, given)));
-        if (mass != null && Math.Abs(found.Mass - kilograms) > SameMass * kilograms)
+        if (mass != null && Math.Abs(found.Mass - given.Mass) > SameMass * given.Mass)
         {
-            throw mass.Value.Wrong(FormattableString.Invariant($"must be the sum of the masses, {found.Mass:R}, found {kilograms:R}"));
+            throw mass.Value.Wrong(FormattableString.Invariant($"must be the sum of the masses, {found.Mass:R}, found {given.Mass:R}"));
         }
 
-        return new BodyInertia(
-            Centered(found, center), given.SolidBox is MassProperties solid ? Centered(solid, center) : null, (kind.Beside & Beside.About) != 0);
+        MassProperties? solid = given.SolidBox is MassProperties box ? Centered(box, center) : null;
+        return new BodyInertia(Centered(found, center), solid, name, (kind.Beside & Beside.About) != 0, given.Notes);
     }
 
-    private static (string Name, Kind Kind, Place Place) KindOf(Fields fields)
+    private static (string Name, Kind Kind) KindOf(Fields fields)
     {
         string[] names = [.. Names.Where(name => fields.Optional(name) != null)];
         if (names.Length == 1)
         {
-            return (names[0], Kinds[names[0]], fields.Required(names[0]));
+            return (names[0], Kinds[names[0]]);
+        }
+
+        if (fields.Rest().Any(field => Robots.Contains(field.Name)))
+        {
+            throw fields.Place.Wrong("""must name its six numbers "tensor": { "xx", "yy", "zz", "xy", "xz", "yz" }, found """ + string.Join(", ", fields.Rest().Select(field => field.Name)));
         }
 
         fields.End("masses", "frame", "scale");
@@ -130,10 +153,11 @@ internal static class InertiaReader
 
     private static int Axis(Form shape) => shape.Or("axis", 1, axis => axis.OneOf("Along which it lies; y if absent", Axes));
 
-    private static (MassProperties Mass, Vector3d Position, Quaterniond Orientation) Part(Fields part, int depth)
+    private static (MassProperties Mass, Vector3d Position, Quaterniond Orientation) Part(Fields part, Given whole)
     {
-        MassProperties mass = Read(part, depth).Mass;
-        return (mass, part.Or("position", Vector3d.Zero, place => place.Vector()), part.Or("orientation", Quaterniond.Identity, place => place.Turn()));
+        BodyInertia inertia = Read(part, null, whole.Depth + 1);
+        whole.Notes.AddRange(inertia.Notes);
+        return (inertia.Mass, part.Or("position", Vector3d.Zero, place => place.Vector()), part.Or("orientation", Quaterniond.Identity, place => place.Turn()));
     }
 
     private static MassProperties Together((MassProperties Mass, Vector3d Position, Quaterniond Orientation)[] parts)
@@ -159,27 +183,12 @@ internal static class InertiaReader
         center is Place place ? place.Make(() => mass.WithCenterOfMass(place.Vector())) : mass;
 
     private sealed record Kind(string About, Func<Form, Given, MassProperties> Read, Beside Beside = Beside.MassAndCenter);
-
-    /// <summary>What the body says beside its inertia.</summary>
-    private sealed record Given(double Mass, Vector3d Center, bool IsAboutOrigin, int Depth)
-    {
-        /// <summary>The solid box of a box of vertices.</summary>
-        public MassProperties? SolidBox { get; set; }
-
-        public MassProperties Tensor(Vector3d moments, Quaterniond frame)
-        {
-            MassProperties principal = MassProperties.FromPrincipal(Mass, moments, frame, Vector3d.Zero);
-            return IsAboutOrigin ? Tensor(principal.Inertia) : principal;
-        }
-
-        public MassProperties Tensor(SymmetricMatrix3 inertia) => IsAboutOrigin
-            ? MassProperties.FromTensorAboutOrigin(Mass, inertia, Center)
-            : MassProperties.FromTensor(Mass, inertia, Vector3d.Zero);
-    }
 }
 
 /// <summary>Mass, inertia and centre of mass of a body as its file says them.</summary>
 /// <param name="Mass">The mass properties.</param>
 /// <param name="SolidBox">For a box of vertices: those of the solid box.</param>
+/// <param name="Kind">What it is given as.</param>
 /// <param name="IsOfNumbers">True if moments are given as numbers, which may be about any point; a shape is about its centre of mass.</param>
-internal sealed record BodyInertia(MassProperties Mass, MassProperties? SolidBox, bool IsOfNumbers);
+/// <param name="Notes">What the user should know of it.</param>
+internal sealed record BodyInertia(MassProperties Mass, MassProperties? SolidBox, string Kind, bool IsOfNumbers, IReadOnlyList<string> Notes);

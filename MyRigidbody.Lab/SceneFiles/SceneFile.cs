@@ -16,6 +16,9 @@ internal sealed record SceneFile(
     /// <summary>The meshes that it names.</summary>
     public IReadOnlyCollection<string> Meshes { get; init; } = [];
 
+    /// <summary>What the user should know of a body, by its name.</summary>
+    public IReadOnlyDictionary<string, IReadOnlyList<string>> Notes { get; init; } = new Dictionary<string, IReadOnlyList<string>>();
+
     /// <summary>The files it was read from.</summary>
     public IEnumerable<string> Inputs => Recording == null ? [Path, .. Meshes] : [Path, Recording.Path];
 }

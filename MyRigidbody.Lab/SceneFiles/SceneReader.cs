@@ -41,12 +41,13 @@ internal static class SceneReader
 
         Dictionary<string, MassProperties> solidBoxes = [];
         Dictionary<string, ManyBodies> crowds = [];
+        Dictionary<string, IReadOnlyList<string>> notes = [];
         List<BodyDescription> bodies = [];
         HashSet<string> names = [];
         double bytes = 0;
         foreach (Place place in list.List("a list of bodies"))
         {
-            BodyDescription body = BodyReader.Read(place, solidBoxes, crowds);
+            BodyDescription body = BodyReader.Read(place, solidBoxes, crowds, notes);
             if (!names.Add(body.Name))
             {
                 throw place.Wrong($"name: must be unique in the scene, found \"{body.Name}\" again");
@@ -71,7 +72,7 @@ internal static class SceneReader
             throw list.Wrong("must have at least one body");
         }
 
-        return new SceneFile(list.File, new SceneDescription(name, about, steps, bodies), crowds, solidBoxes, null) { Meshes = fields.Meshes.Files };
+        return new SceneFile(list.File, new SceneDescription(name, about, steps, bodies), crowds, solidBoxes, null) { Meshes = fields.Meshes.Files, Notes = notes };
     }
 
     /// <summary>The crowd one of whose bodies is called by a name, "b 0"; null if there is none.</summary>

@@ -46,7 +46,7 @@ internal sealed class RandomChoice
         4 => Ball(Start(spin: 0.5, speed: 1), Gravity, Spring(Between(200, 4000), Zero), Pick(0, 1) == 1
             ? $$"""{ "linearDamping": {{Number(Between(1, 40))}} }"""
             : $$"""{ "quadraticDrag": {{Number(Between(0.1, 5))}} }"""),
-        5 => Ball(Start(spin: Between(3, 15), speed: 0), $$"""{ "heavyTop": { "axis": [0, 0, 1], "moment": {{Number(Between(0.5, 5))}}, "up": [0, 0, 1] } }"""),
+        5 => Ball(Start(spin: Between(3, 15), speed: 0), $$"""{ "heavyTop": { "axis": [0, 0, 1], "moment": {{Number(Between(0.5, 5))}}, "up": [0, 0, 1], "inertiaAbout": "pivot" } }"""),
         6 => Ball(Start(spin: 2, speed: 0), "{ " + Torque(true) + " }", "{ " + Torque(false) + " }", $$"""{ "angularDamping": {{Number(Between(0, 0.5))}} }"""),
         7 => Ball(Start(spin: 6, speed: 5), Gravity, $$"""{ "linearDamping": {{Number(Between(0, 0.5))}} }"""),
         8 => Kind(_random.Next(8)),

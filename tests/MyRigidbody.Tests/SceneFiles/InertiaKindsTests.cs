@@ -106,7 +106,7 @@ public sealed class InertiaKindsTests
     public void Compounds_may_be_nested_eight_deep()
     {
         Assert.That(Read($"\"inertia\": {Nested(8)}").Mass.Mass, Is.EqualTo(1));
-        Assert.That(Error($"\"inertia\": {Nested(9)}"), Does.EndWith("must not be nested deeper than 8, found 9"));
+        Assert.That(Error($"\"inertia\": {Nested(9)}"), Does.Contain("compound: must not be nested deeper than 8, found 9"));
 
         static string Nested(int depth) => depth == 0 ? """{ "solidSphere": 1 }""" : $$"""{ "compound": [{ "inertia": {{Nested(depth - 1)}} }] }""";
     }

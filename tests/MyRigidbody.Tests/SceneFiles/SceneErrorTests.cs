@@ -32,9 +32,9 @@ public sealed class SceneErrorTests
     [TestCase(Head + """ "inertia": { } } ] }""", "scene.json: bodies[0].inertia: must have exactly one of KINDS, found none")]
     [TestCase(Head + """ "inertia": { "cone": 1 } } ] }""", "scene.json: bodies[0].inertia.cone: is not a name known here")]
     [TestCase(Head + """ "inertia": { "solidBox": [1, 1] } } ] }""", "scene.json: bodies[0].inertia.solidBox: must be three numbers [x, y, z], found [1, 1]")]
-    [TestCase(Head + """ "inertia": { "principal": [1, 1, 3] } } ] }""", "scene.json: bodies[0].inertia.principal: no moment can exceed the sum of the other two, found (1, 1, 3)")]
+    [TestCase(Head + """ "inertia": { "principal": [1, 1, 3] } } ] }""", "scene.json: bodies[0].inertia.principal: no moment can exceed the sum of the other two, and the nearest that do not are (1.3333333333333333, 1.3333333333333333, 2.6666666666666665), found (1, 1, 3), in body \"b\"")]
     [TestCase(Head + """ "inertia": { "principal": [1, -1, 1] } } ] }""", "scene.json: bodies[0].inertia.principal: must have finite components above zero, found (1, -1, 1)")]
-    [TestCase(Head + """ "inertia": { "points": [[0, 0, 0], [1, 0, 0]] } } ] }""", "scene.json: bodies[0].inertia.points: must have finite components above zero, found (0, 0.25, 0.25)")]
+    [TestCase(Head + """ "inertia": { "points": [[0, 0, 0], [1, 0, 0]] } } ] }""", "scene.json: bodies[0].inertia.points: all points lie on a line along x, and nothing resists a turn about it, found principal moments (0, 0.25, 0.25), in body \"b\"")]
     [TestCase(Head + """ "inertia": { "points": [[0, 0, 0]], "masses": [1, 2] } } ] }""", "scene.json: bodies[0].inertia.masses: must be as many as there are points (1), at least one, found 2")]
     [TestCase(Head + """ "inertia": { "solidCylinder": { "radius": -1, "height": 1 } } } ] }""", "scene.json: bodies[0].inertia.solidCylinder.radius: must be finite and above zero, found -1")]
     [TestCase(Head + """ "inertia": { "solidCylinder": { "radius": 1 } } } ] }""", "scene.json: bodies[0].inertia.solidCylinder: \"height\" is missing")]
@@ -86,6 +86,6 @@ public sealed class SceneErrorTests
     {
         string text = Head + """ "mass": 3, "inertia": { "points": [[0, 0, 0], [1, 0, 0], [0, 1, 0]], "masses": [1, 2, 3] } } ] }""";
 
-        Assert.That(SceneText.Error(text), Is.EqualTo("scene.json: bodies[0].mass: must be the sum of the masses, 6, found 3"));
+        Assert.That(SceneText.Error(text), Is.EqualTo("scene.json: bodies[0].mass: must be the sum of the masses, 6, found 3, in body \"b\""));
     }
 }

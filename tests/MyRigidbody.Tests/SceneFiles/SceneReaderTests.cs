@@ -13,7 +13,7 @@ public sealed class SceneReaderTests
     {
         SceneFile file = SceneText.Read(SceneText.Everything);
         SceneDescription scene = file.Scene;
-        BodyDescription a = scene.Bodies[0], b = scene.Bodies[1], e = scene.Bodies[4];
+        BodyDescription a = scene.Bodies[0], b = scene.Bodies[1], e = scene.Bodies[4], g = scene.Bodies[6];
 
         Assert.That(scene.Name, Is.EqualTo("all"));
         Assert.That(scene.About, Is.EqualTo("every name"));
@@ -29,11 +29,11 @@ public sealed class SceneReaderTests
         Assert.That(a.Start.AngularVelocity, Is.EqualTo(new Vector3d(0, 1, 0)));
         Assert.That(a.Lab.UnitRotation, Is.True);
         Assert.That(
-            a.Effects.Select(effect => effect.Motion.GetType().Name).Take(13),
+            a.Effects.Select(effect => effect.Motion.GetType().Name).Take(12),
             Is.EqualTo(new[]
             {
                 "Gravity", "Force", "KeyPush", "Torque", "LinearDamping", "AngularDamping", "QuadraticDrag", "DecayPerStep", "DecayPerStep",
-                "Force", "Spring", "HeavyTop", "PerStep",
+                "Force", "Spring", "PerStep",
             }));
         Assert.That(a.Effects[0].To, Is.EqualTo(0.25));
         Assert.That(a.Effects[2].From, Is.EqualTo(0.1));
@@ -45,6 +45,9 @@ public sealed class SceneReaderTests
         Assert.That(b.Unity.WakeCounter, Is.EqualTo(0.2));
         Assert.That(b.Unity.GyroscopicForces, Is.True);
         Assert.That(b.Unity.InDouble, Is.True);
+        // the ball about the pivot, 2/5 m r² and along two axes m d² more
+        Assert.That(g.Mass.PrincipalMoments, Is.EqualTo(new Vector3d(0.1, 0.14, 0.14)).Using<Vector3d>((x, y) => Samples.Apart(x, y) < 1e-16)); // measured 0
+        Assert.That(g.Effects[0].Motion, Is.InstanceOf<HeavyTop>());
         Assert.That(e.Mass.Mass, Is.EqualTo(10));
         Assert.That(e.Mass.CenterOfMass, Is.EqualTo(new Vector3d(0.2, 0.3, 0.4)));
     }

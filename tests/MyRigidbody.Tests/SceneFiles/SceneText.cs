@@ -26,7 +26,6 @@ internal static class SceneText
                 { "decayPerStep": { "linear": 0.99, "angular": 0.98 } },
                 { "force": { "frame": "body", "constant": [0, 2, 0], "sin": [1, 0, 0], "cos": [0, 0, 1], "rate": 3, "at": [0.5, 0, 0] } },
                 { "spring": { "anchor": [0, 1, 0], "at": [0, 2, 0], "stiffness": 3 } },
-                { "heavyTop": { "axis": [0, 0, 1], "moment": 3, "up": [0, 1, 0] } },
                 { "perStep": { "force": [[1, 0, 0]], "torque": [[0, 1, 0], [0, 0, 1]] } }OTHERS
               ] },
             { "name": "b", "integrator": "UnityRigidbody", "inertia": { "principal": [1, 2, 3], "frame": [1, 1, 0, 0] }, "angularVelocityBody": [1, 2, 3],
@@ -36,7 +35,9 @@ internal static class SceneText
               "spread": { "position": [1, 2, 3], "orientation": 0.5, "velocity": [1, 1, 1], "angularVelocity": [1, 2, 1] } },
             { "name": "d", "inertia": { "solidBox": [1, 1, 2] }, "lock": { "move": "xz", "turn": "y" } },
             { "name": "e", "inertia": { "points": [[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]], "masses": [1, 2, 3, 4] } },
-            { "name": "f", "about": "origin", "centerOfMass": [0, 0, 0.5], "inertia": { "tensor": { "xx": 3, "yy": 4, "zz": 5, "xy": 0.1, "xz": 0.2, "yz": 0.3 } } }KINDS
+            { "name": "f", "about": "origin", "centerOfMass": [0, 0, 0.5], "inertia": { "tensor": { "xx": 3, "yy": 4, "zz": 5, "xy": 0.1, "xz": 0.2, "yz": 0.3 } } },
+            { "name": "g", "inertia": { "solidSphere": 0.5 }, "centerOfMass": [0.2, 0, 0],
+              "effects": [ { "heavyTop": { "axis": [1, 0, 0], "moment": 3, "up": [0, 1, 0], "inertiaAbout": "centerOfMass" } } ] }KINDS
           ]
         }
         """;

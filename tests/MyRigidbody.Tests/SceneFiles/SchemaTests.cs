@@ -16,6 +16,7 @@ public sealed class SchemaTests
         "unique", "sum of the other two", "must be later than from", "is for ", "the locked ", "scaled to it",
         "found 0", "as many as there are points", "must be the sum", "must not stand beside", "must not take more",
         "above zero, found (", "Infinity", "there is no such file", "none of them zero", "must enclose a volume", "a mesh in STL or OBJ", "at most 1e18", "finite kinetic energy",
+        "pivot", "line", "which no body has",
     ];
 
     private static readonly string Written = File.ReadAllText(Root.File("scenes/rigid-body-scene-1.schema.json")), Renewed = SceneSchema.Renewed(Written);
