@@ -80,7 +80,7 @@ internal static class Diagnosis
             return ("product-signs", "with the products turned in sign it is possible: ixy is minus the integral of x y, and many drawing programs print plus; " + Tensors.Text(Tensors.Turned(tensor)));
         }
 
-        SymmetricMatrix3 moved = mass * Compound.About(body.Center), back = body.InBodyAxes + moved;
+        SymmetricMatrix3 moved = mass * SymmetricMatrix3.OfPoint(body.Center), back = body.InBodyAxes + moved;
         if (!body.Center.IsZero && mass > 0 && Tensors.IsPossible(back) && (filled is not SymmetricMatrix3 even || Tensors.Apart(back, even) < Alike))
         {
             return ("moved-twice", "with m (d·d 1 − d dᵀ) added it is possible: it was moved from the origin of the link to the centre of mass once more than it should; about the centre of mass in the link's axes it is " + Tensors.Text(back));
@@ -133,7 +133,7 @@ internal static class Diagnosis
             yield return new Finding("units", Severity.Doubtful, FormattableString.Invariant($"its mass would lie within {radius:G3} m of its centre: lengths or masses in other units?"));
         }
 
-        SymmetricMatrix3 moved = body.InBodyAxes - mass * Compound.About(body.Center);
+        SymmetricMatrix3 moved = body.InBodyAxes - mass * SymmetricMatrix3.OfPoint(body.Center);
         if (body.Center.LengthSquared > 2.5 * Tensors.Spread(moved) / mass && Tensors.IsPossible(moved))
         {
             yield return new Finding("about-origin", Severity.Note,

@@ -83,7 +83,7 @@ internal static class GeometryDiagnosis
             return new Finding("units", Severity.Doubtful, FormattableString.Invariant($"its moments are {ratio:G2} times those of the geometry evenly filled: {unit}?") + expected);
         }
 
-        SymmetricMatrix3 aboutOrigin = filled + mass * Compound.About(body.Center);
+        SymmetricMatrix3 aboutOrigin = filled + mass * SymmetricMatrix3.OfPoint(body.Center);
         if (!body.Center.IsZero && !isCenterOff && Tensors.Apart(given, aboutOrigin) < 0.15 && Tensors.Apart(aboutOrigin, filled) > 0.3)
         {
             return new Finding("about-origin", Severity.Doubtful, "it was taken about the origin of the link, and is wanted about the centre of mass" + expected);

@@ -27,7 +27,7 @@ internal static class SceneBodies
             }
         }
 
-        BodyInertia read = InertiaReader.Read(fields);
+        BodyInertia read = InertiaReader.Read(fields, name);
         return Of(name, place.Path, read.Mass, isComputed: true);
     }
 
@@ -71,7 +71,7 @@ internal static class SceneBodies
             HalfDigits = Robots.UrdfReader.Tensor(half),
         };
         return fields.Or("about", 0, place => place.OneOf("centerOfMass", "origin")) == 1
-            ? given with { Tensor = given.InBodyAxes - mass * Compound.About(center), Axes = Quaterniond.Identity }
+            ? given with { Tensor = given.InBodyAxes - mass * SymmetricMatrix3.OfPoint(center), Axes = Quaterniond.Identity }
             : given;
     }
 }
