@@ -17,6 +17,9 @@ namespace UnityEngine
 
         public bool useGravity { get; set; } = true;
 
+        /// <summary>How it is drawn between two steps; here it is drawn where it is.</summary>
+        public RigidbodyInterpolation interpolation { get; set; }
+
         /// <summary>True: the engine does not move it.</summary>
         public bool isKinematic { get; set; }
 
@@ -205,6 +208,14 @@ namespace UnityEngine
         FreezeRotationZ = 64,
         FreezeRotation = 112,
         FreezeAll = 126,
+    }
+
+    /// <summary>How a body is drawn between two steps.</summary>
+    public enum RigidbodyInterpolation
+    {
+        None,
+        Interpolate,
+        Extrapolate,
     }
 
     /// <summary>What the numbers of a push are, with Unity's numbers.</summary>

@@ -56,6 +56,8 @@ internal sealed class Scripts
         "Vector3" => "vector3",
         "Quaternion" => "rotation",
         "Color" => "color",
+        "RigidbodyConstraints" => "one of 127",
+        "RigidbodyInterpolation" => "one of 3",
         _ when _enums.TryGetValue(type, out int names) => $"one of {names}",
         _ when _byFile.Values.Any(script => script.Name == type) => $"-> {type} or none",
         _ => null,

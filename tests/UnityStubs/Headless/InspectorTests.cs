@@ -22,7 +22,7 @@ namespace RigidBodyDynamics.Scripts.Tests.Headless
             MyRigidbody body = _cube.AddComponent<MyRigidbody>();
             Gui.Draw(Editor.CreateEditor(body));
 
-            Assert.That(Gui.Drawn.Count(control => control.Kind == "property"), Is.EqualTo(12));
+            Assert.That(Gui.Drawn.Count(control => control.Kind == "property"), Is.EqualTo(14));
             Assert.That(Gui.Drawn[0], Is.EqualTo(("disabled property", "Script")), "a double click opens it");
             Assert.That(Gui.Drawn, Has.Member(("menu", "Integrator")).And.Member(("property", "Start Velocity")));
             Assert.That(Gui.Drawn, Has.Member(("help Info", body.Explain())));

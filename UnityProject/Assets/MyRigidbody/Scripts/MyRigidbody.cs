@@ -8,8 +8,9 @@ namespace RigidBodyDynamics.Scripts
     /// and puts the object where the library says. The physics is in the library; for the lab's rule, in LabEuler.cs.
     /// </summary>
     [DisallowMultipleComponent]
+    [DefaultExecutionOrder(100)] // it steps when all other scripts have pushed
     [AddComponentMenu("MyRigidbody/MyRigidbody")]
-    public sealed class MyRigidbody : MonoBehaviour
+    public sealed partial class MyRigidbody : MonoBehaviour
     {
         [Header("Body 物体")]
         [Tooltip("Mass in kg, above zero.\n质量，单位千克，必须大于零。")]
@@ -53,6 +54,13 @@ namespace RigidBodyDynamics.Scripts
 
         [Tooltip("The Rigidbody that this body is compared with; may be empty.\n与之比较的 Rigidbody，可为空。")]
         public DefaultRigidbody comparedWith;
+
+        [Header("As a Rigidbody has them 与 Rigidbody 相同")]
+        [Tooltip("Axes of the world along which it cannot move, and its own about which it cannot turn.\n不能沿其移动的世界坐标轴，以及不能绕其转动的自身轴。")]
+        public RigidbodyConstraints constraints;
+
+        [Tooltip("Interpolate: drawn between the last two steps, so it moves smoothly at every frame rate; State stays exact. Extrapolate is drawn as Interpolate.\n插值：画在最近两步之间，任何帧率下都平滑；State 仍是精确值。Extrapolate 与 Interpolate 相同。")]
+        public RigidbodyInterpolation interpolation;
 
         private readonly LabKeyboard _keyboard = new LabKeyboard();
         private Simulation _simulation;
@@ -142,6 +150,7 @@ namespace RigidBodyDynamics.Scripts
         /// <summary>Back to the pose and velocity of the start; t counts from 0 again.</summary>
         public void StartAgain()
         {
+            WakeUp();
             Build(goesOn: false);
             Show();
         }
@@ -178,11 +187,19 @@ namespace RigidBodyDynamics.Scripts
 
         private void TakeStep()
         {
+            if (_isAsleep && IsAnyKeyHeld())
+                WakeUp();
+
+            BodyState before = _isAsleep ? State : default(BodyState);
             // the length of fixed steps may be changed while the game plays; time goes on from where it is
             if (StepLength == _simulation.Scene.Steps.Length(0))
                 _simulation.Step();
             else
                 _simulation.StepBy(StepLength);
+
+            // time goes on for who sleeps, too
+            if (_isAsleep)
+                Body.State = before;
         }
 
         private BodyDescription Describe(BodyState start)
@@ -190,7 +207,8 @@ namespace RigidBodyDynamics.Scripts
             if (GetComponent<Rigidbody>() != null)
                 throw new ArgumentException("a Rigidbody on the same object would move it too; remove one of them");
 
-            BodyDescription body = new BodyDescription(name, InertiaOf.Object(this, mass, inertia)) { Rule = Rules.Named(integrator), Start = start };
+            MassProperties massProperties = InertiaOf.Object(this, mass, inertia);
+            BodyDescription body = new BodyDescription(name, massProperties) { Rule = Rules.Named(integrator), Lock = Locked, Start = Held(start, massProperties) };
             if (useGravity)
                 body.With(new Gravity(Physics.gravity.Double()));
 
@@ -216,7 +234,12 @@ namespace RigidBodyDynamics.Scripts
             if (!IsReady)
                 return;
 
-            transform.SetPositionAndRotation(State.Position.Float(), State.Orientation.Float());
+            Put(State);
+        }
+
+        private void Put(in BodyState pose)
+        {
+            transform.SetPositionAndRotation(pose.Position.Float(), pose.Orientation.Float());
             _shownPosition = transform.position;
             _shownRotation = transform.rotation;
         }
