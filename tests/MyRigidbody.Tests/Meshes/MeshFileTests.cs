@@ -181,6 +181,34 @@ public sealed class MeshFileTests
         }
     }
 
+    [Test]
+    public void Handle_of_the_gallery_is_two_boxes_and_turns_over_five_times()
+    {
+        SceneFile file = SceneReader.Read(Path.Combine(Gallery.Folder, "t-handle.json"));
+        MassProperties handle = file.Scene.Bodies[0].Mass;
+        // 29.4 cm³ of steel: a bar and a stem
+        MassProperties boxes = new Compound()
+            .With(Solids.Box(handle.Mass * 2 / 3, new Vector3d(0.1, 0.014, 0.014)), new Vector3d(0, 0.007, 0))
+            .With(Solids.Box(handle.Mass / 3, new Vector3d(0.014, 0.05, 0.014)), new Vector3d(0, -0.025, 0))
+            .ToMassProperties();
+        Assert.That((handle.CenterOfMass - boxes.CenterOfMass).Length, Is.LessThan(1e-17)); // measured 3.5e-18
+        Assert.That((handle.Inertia.Diagonal - boxes.Inertia.Diagonal).Length / boxes.Inertia.ZZ, Is.LessThan(1e-15)); // measured 4.9e-16
+
+        Simulation simulation = new(file.Scene);
+        int turnedOver = 0;
+        for (double last = 1; simulation.StepsDone < file.Scene.Steps.Count;)
+        {
+            simulation.Step();
+            double up = simulation.Bodies[0].State.Orientation.Rotate(new Vector3d(0, 1, 0)).Y;
+            turnedOver += up * last < 0 ? 1 : 0;
+            last = up;
+        }
+
+        Assert.That(turnedOver, Is.EqualTo(5));
+        TestContext.Out.WriteLine((handle.CenterOfMass - boxes.CenterOfMass).Length);
+        TestContext.Out.WriteLine((handle.Inertia.Diagonal - boxes.Inertia.Diagonal).Length / boxes.Inertia.ZZ);
+    }
+
     [TestCase("\"mesh\": \"no.stl\"", "scene.json: bodies[0].inertia.mesh: no.stl: there is no such file")]
     [TestCase("\"mesh\": \"a.ply\"", "scene.json: bodies[0].inertia.mesh: a.ply: must be a mesh in STL or OBJ (.stl, .obj), whose surface is closed")]
     [TestCase("\"mesh\": \"\"", "scene.json: bodies[0].inertia.mesh: ")]
