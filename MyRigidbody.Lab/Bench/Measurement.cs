@@ -44,20 +44,21 @@ internal sealed record Measurement(string What, int Bodies, int Threads, Func<Ac
             measurement.Finish();
     }
 
-    /// <summary>How many times as long as another of its group: the median over the repeats, in each of which both ran.</summary>
-    public double RatioTo(Measurement other)
-    {
-        List<double> ratios = [.. _times.Zip(other._times, (mine, its) => mine / its).Order()];
-        return ratios[ratios.Count / 2];
-    }
+    /// <summary>
+    /// How many times as long as another of its group: the shortest of the repeats, in each of which both ran, since what else the
+    /// machine does only ever adds.
+    /// </summary>
+    public double RatioTo(Measurement other) => _times.Min() / other._times.Min();
 
     private void WarmUp(double seconds)
     {
         _steps = Make();
-        // long enough for a runtime that compiles again what runs often, and to know how many steps fill the time
+        // long enough for a runtime that compiles again what runs often, whatever else the machine does, and to know how many steps
+        // fill the time
         Stopwatch clock = Stopwatch.StartNew();
+        TimeSpan before = Environment.CpuUsage.TotalTime;
         double last = 0;
-        for (int calls = 0; clock.Elapsed.TotalSeconds < Math.Max(0.3, 2 * seconds) || calls < 3; calls++)
+        for (int calls = 0; (Environment.CpuUsage.TotalTime - before).TotalSeconds < Math.Max(0.3, 2 * seconds) || calls < 3; calls++)
         {
             double start = clock.Elapsed.TotalSeconds;
             _steps(_chunk);

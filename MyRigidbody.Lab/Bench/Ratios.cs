@@ -52,6 +52,13 @@ internal static class Ratios
         }
 
         yield return ("keys that nobody holds", "Exact, gravity and keys that nobody holds", "Exact, gravity on");
+        foreach (string rule in new[] { "Exact", "LabEuler" })
+        {
+            yield return ("an effect that pushes nothing", $"{rule}, falls, and is pushed by nothing, 1000 steps a call", $"{rule}, falls, 1000 steps a call");
+            foreach (string what in new[] { "free", "falls", "falls, and is pushed by nothing" })
+                yield return ("a step a call", $"{rule}, {what}, a step a call", $"{rule}, {what}, 1000 steps a call");
+        }
+
         yield return ("a body that does not turn", "Exact, no spin", "Exact, three different moments");
         yield return ("two equal moments", "Exact, two equal moments", "Exact, three different moments");
         yield return ("three equal moments", "Exact, three equal moments", "Exact, three different moments");

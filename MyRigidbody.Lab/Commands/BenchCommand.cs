@@ -31,6 +31,8 @@ internal static class BenchCommand
             ("Effects", Suite.Effects()),
             ("What a body is", Suite.Shapes()),
             ("Damped to nothing", Suite.Denormals()),
+            ("Steps of a game", LivingSuite.Calls()),
+            ("One of many, chosen at random", LivingSuite.OneOf(isQuick ? 1000 : 1_000_000)),
             .. (isQuick ? [1, 1000] : new[] { 1, 1000, 100_000, 1_000_000 }).Select(count =>
                 (count.ToString("N0", CultureInfo.InvariantCulture) + (count == 1 ? " body" : " bodies"), Suite.Many(count))),
         ];
@@ -43,7 +45,7 @@ internal static class BenchCommand
             {
                 int before = i;
                 bool isLong = groups[i].Group[0].Bodies > 10_000;
-                Measurement.Take(groups[i].Group, isQuick ? 5 : isLong ? 9 : 25, isLong ? 0.05 : 0.01, done => report((before + done) / (groups.Length + 2)));
+                Measurement.Take(groups[i].Group, isLong ? 25 : isQuick ? 50 : 250, isLong ? 0.02 : 0.001, done => report((before + done) / (groups.Length + 2)));
             }
 
             onMono = OnMono.Take(isQuick ? 5 : 25, done => report((groups.Length + done) / (groups.Length + 2)));

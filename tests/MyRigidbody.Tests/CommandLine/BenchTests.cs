@@ -25,10 +25,17 @@ public sealed class BenchTests
     public void Every_ratio_is_of_things_that_are_measured()
     {
         // a name that nothing has would silently leave a ratio out
-        string[] measured = [.. new[] { Suite.ByRule(), Suite.ByHand(), Suite.Effects(), Suite.Shapes(), Suite.Denormals(), Suite.Many(1000) }
+        string[] measured = [.. new[] { Suite.ByRule(), Suite.ByHand(), Suite.Effects(), Suite.Shapes(), Suite.Denormals(), Suite.Many(1000), LivingSuite.Calls() }
             .SelectMany(group => group).Select(measurement => measurement.What)];
         Assert.That(Ratios.Names.Where(name => !measured.Contains(name)), Is.Empty);
         Assert.That(Ratios.Names.Count(), Is.GreaterThan(20));
+    }
+
+    [Test]
+    public void One_of_many_is_read_pushed_set_removed_and_brought_back_again_and_again()
+    {
+        foreach (Measurement one in LivingSuite.OneOf(100))
+            Assert.That(() => one.Make()(1000), Throws.Nothing, one.What);
     }
 
     [Test]
