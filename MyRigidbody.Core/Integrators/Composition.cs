@@ -147,7 +147,14 @@ namespace RigidBodyDynamics
                 return;
             }
 
-            Drift drift = length == _dt ? _whole : new Drift(_coasting, length);
+            if (length == _dt)
+                Advance(_whole);
+            else
+                Advance(new Drift(_coasting, length));
+        }
+
+        private void Advance(in Drift drift)
+        {
             if (_canMove)
                 drift.Move(ref _x, ref _xLost, ref _v, ref _vLost);
 
@@ -175,7 +182,9 @@ namespace RigidBodyDynamics
             const EffectTraits ReadsPose = EffectTraits.ReadsPosition | EffectTraits.ReadsOrientation | EffectTraits.ReadsAngularVelocity;
             EffectTraits traits = push.Traits;
             BodyState body = default(BodyState);
-            body.Velocity = _v;
+            if ((traits & EffectTraits.ReadsVelocity) != 0)
+                body.Velocity = _v;
+
             if ((traits & ReadsPose) != 0)
             {
                 body.Orientation = _top.Orientation;
