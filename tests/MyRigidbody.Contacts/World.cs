@@ -37,6 +37,8 @@ internal sealed class World
 
     public EngineBody this[int i] => _bodies[i];
 
+    public Vector3d Position(int i) => _positions[i];
+
     /// <summary>The top's where there is one that is followed.</summary>
     public Quaterniond Orientation(int i) => _tops[i] is { IsFollowing: true } top ? top.State.Orientation : _bodies[i].Orientation;
 

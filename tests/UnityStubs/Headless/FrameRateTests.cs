@@ -30,6 +30,7 @@ namespace RigidBodyDynamics.Scripts.Tests.Headless
 
         [TestCase("")]
         [TestCase("Lab")]
+        [TestCase("ThrownSlabs")]
         public void So_does_a_DefaultRigidbody_that_is_pushed_in_FixedUpdate(string scene)
         {
             List<double[]> expected = Motion(scene, frame => 0.02, false, Theirs);

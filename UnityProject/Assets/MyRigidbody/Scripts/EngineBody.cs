@@ -49,10 +49,8 @@ namespace RigidBodyDynamics.Scripts
         private static Vector3d Possible(Vector3d moments)
         {
             const double rounding = 1e-5;
-            double sum = moments.X + moments.Y + moments.Z, largest = Math.Max(moments.X, Math.Max(moments.Y, moments.Z)), others = sum - largest;
-            return largest > others && largest <= (1 + rounding) * others
-                ? new Vector3d(Math.Min(moments.X, others), Math.Min(moments.Y, others), Math.Min(moments.Z, others))
-                : moments;
+            double largest = Math.Max(moments.X, Math.Max(moments.Y, moments.Z)), others = moments.X + moments.Y + moments.Z - largest;
+            return largest <= (1 + rounding) * others ? RigidBodyDynamics.MassProperties.NearestPossible(moments, moments) : moments;
         }
     }
 }

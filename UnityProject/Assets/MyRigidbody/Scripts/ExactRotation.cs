@@ -63,7 +63,9 @@ namespace RigidBodyDynamics.Scripts
                 StopCoroutine(_watch);
 
             _top.Forget();
-            Body.maxAngularVelocity = _otherLimit;
+            // with the object the Rigidbody may be gone already
+            if (Body != null)
+                Body.maxAngularVelocity = _otherLimit;
         }
 
         private void FixedUpdate()

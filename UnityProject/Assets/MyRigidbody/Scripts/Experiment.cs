@@ -1,6 +1,7 @@
 using System.Collections.Generic;
 using System.Globalization;
 using System.IO;
+using System.Linq;
 using UnityEngine;
 
 namespace RigidBodyDynamics.Scripts
@@ -161,7 +162,11 @@ namespace RigidBodyDynamics.Scripts
             foreach (StudentBody body in Students)
                 body.StepOnce();
 
+            List<ExactRotation> exact = gameObject.scene.GetRootGameObjects()
+                .SelectMany(root => root.GetComponentsInChildren<ExactRotation>()).Where(body => body.enabled).ToList();
+            exact.ForEach(body => body.BeforeSimulate(Time.fixedDeltaTime));
             EngineVersions.StepPhysics();
+            exact.ForEach(body => body.AfterSimulate());
             _steps++;
         }
 

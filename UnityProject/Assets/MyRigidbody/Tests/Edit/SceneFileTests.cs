@@ -11,6 +11,7 @@ namespace RigidBodyDynamics.Scripts.Tests.Edit
     {
         [TestCase("Lab")]
         [TestCase("TumblingSlab")]
+        [TestCase("ThrownSlabs")]
         public void A_scene_opens_with_all_its_scripts(string name)
         {
             UnityEngine.SceneManagement.Scene scene = EditorSceneManager.OpenScene("Assets/MyRigidbody/Scenes/" + name + ".unity");

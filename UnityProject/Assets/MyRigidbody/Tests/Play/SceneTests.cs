@@ -7,7 +7,7 @@ using UnityEngine.TestTools;
 
 namespace RigidBodyDynamics.Scripts.Tests.Play
 {
-    /// <summary>Both scenes load and play for ten seconds; an error in the console makes the test fail.</summary>
+    /// <summary>All scenes load and play for ten seconds; an error in the console makes the test fail.</summary>
     public sealed class SceneTests : PlayTest
     {
         [UnityTest]
@@ -15,6 +15,9 @@ namespace RigidBodyDynamics.Scripts.Tests.Play
 
         [UnityTest]
         public IEnumerator The_tumbling_slabs_play_ten_seconds() => Play("TumblingSlab", bodies: 4, theirs: 0);
+
+        [UnityTest, Category("Touching")]
+        public IEnumerator The_thrown_slabs_play_ten_seconds() => Play("ThrownSlabs", bodies: 0, theirs: 4);
 
         private IEnumerator Play(string scene, int bodies, int theirs)
         {
