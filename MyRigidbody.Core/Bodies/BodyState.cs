@@ -40,7 +40,7 @@ namespace RigidBodyDynamics
         /// False where a number is not finite or a velocity is so large that its square, which every energy has, is not: such a body
         /// has run away.
         /// </summary>
-        internal bool HasFiniteSquares =>
+        public bool HasFiniteSquares =>
             Position.IsFinite && Orientation.IsFinite && Guard.IsFinite(Velocity.LengthSquared + AngularVelocity.LengthSquared);
 
         /// <summary>

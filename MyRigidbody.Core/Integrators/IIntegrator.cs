@@ -17,7 +17,8 @@ namespace RigidBodyDynamics
         bool IsAsleep { get; }
 
         /// <summary>
-        /// False once a number in it, or the square of a velocity, has become infinite or NaN. Quick: it is asked after every call.
+        /// False once a number in it, or the square of a velocity, has become infinite or NaN (<see cref="BodyState.HasFiniteSquares"/>).
+        /// Quick: it is asked after every call.
         /// </summary>
         bool IsFinite { get; }
 

@@ -16,7 +16,7 @@ public struct MomentumEuler : IIntegrator
 
     public bool IsAsleep => false;
 
-    public bool IsFinite => _x.IsFinite && _v.IsFinite && _l.IsFinite && _q.IsFinite;
+    public bool IsFinite => State.HasFiniteSquares;
 
     public bool HasClosedForm => false;
 

@@ -66,6 +66,15 @@ public sealed partial class WordsTests
     }
 
     [Test]
+    public void Every_push_of_the_library_is_called_something_in_Chinese()
+    {
+        string[] pushes = [.. Pushes.All().Select(test => test.Arguments[0]!).Where(push => push.GetType().IsPublic).Select(push => push.ToString()!).Distinct()];
+
+        Assert.That(pushes, Has.Length.GreaterThan(10)); // measured 17
+        Assert.That(pushes.Where(IsOnlyEnglish), Is.Empty);
+    }
+
+    [Test]
     public void What_rules_say_is_there_in_Chinese()
     {
         string[] said = [.. Scenes.SelectMany(path => Pair.Of(SceneReader.Read(path))).SelectMany(Difference.Between).SelectMany(rule => new[] { rule.Name, rule.Mine, rule.Unitys })];
