@@ -6,7 +6,7 @@ internal static class Hinge
     public static bool Holds(PhysX engine)
     {
         double alone = Wobble(engine, isExact: false), exact = Wobble(engine, isExact: true);
-        Console.WriteLine($"\nhung on an axis and turned at 5 rad/s, 20 s: largest angle between the body's axis and the joint's, rad\nthe engine alone{alone,10:e1}\nwith ExactRotation{exact,8:e1}");
+        Console.WriteLine($"\nhung on an axis and turned at 5 rad/s, 20 s: largest angle between the body's axis and the joint's, rad\nthe engine alone  {alone,10:e1}\nwith ExactRotation{exact,10:e1}");
         return exact < Math.Max(1e-3, 2 * alone);
     }
 
