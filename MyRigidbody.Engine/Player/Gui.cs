@@ -20,6 +20,14 @@ namespace RigidBodyDynamics.Engine
         /// <summary>The texts of the last frame.</summary>
         public static IEnumerable<string> Texts => _drawn.Select(control => control.Text);
 
+        /// <summary>Where the last area was drawn, in pixels of the window.</summary>
+        public static Rect DrawnArea { get; private set; }
+
+        internal static Rect Area
+        {
+            set => DrawnArea = new Rect(GUI.matrix.m00 * value.x, GUI.matrix.m11 * value.y, GUI.matrix.m00 * value.width, GUI.matrix.m11 * value.height);
+        }
+
         internal static bool HasChanged { get; set; }
 
         /// <summary>Clicks on the button or toggle with a text, at once.</summary>

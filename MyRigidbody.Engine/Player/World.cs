@@ -25,6 +25,9 @@ namespace RigidBodyDynamics.Engine
 
         public static int ScreenHeight { get; set; }
 
+        /// <summary>What the system speaks.</summary>
+        public static SystemLanguage Language { get; set; } = SystemLanguage.English;
+
         /// <summary>Where scenes come from; null where there are none.</summary>
         internal static IScenes Scenes { get; set; }
 

@@ -12,6 +12,8 @@ namespace UnityEngine
 
         public static bool isEditor => true;
 
+        public static SystemLanguage systemLanguage => World.Language;
+
         /// <summary>Nothing here: what has begun is ended by who began it.</summary>
         public static void Quit() { }
 
@@ -31,6 +33,16 @@ namespace UnityEngine
         public static string persistentDataPath => Path.Combine(World.Folder, "persistent");
 
         public static string temporaryCachePath => Path.Combine(World.Folder, "temporary");
+    }
+
+    /// <summary>Languages of a system; of many, those that matter here.</summary>
+    public enum SystemLanguage
+    {
+        Chinese = 6,
+        English = 10,
+        ChineseSimplified = 40,
+        ChineseTraditional = 41,
+        Unknown = 42,
     }
 
     /// <summary>The window.</summary>

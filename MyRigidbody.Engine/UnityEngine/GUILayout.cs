@@ -21,7 +21,11 @@ namespace UnityEngine
 
         public static void EndHorizontal() => Gui.Close("row");
 
-        public static void BeginArea(Rect screenRect, GUIStyle style) => Gui.Open("area");
+        public static void BeginArea(Rect screenRect, GUIStyle style)
+        {
+            Gui.Area = screenRect;
+            Gui.Open("area");
+        }
 
         public static void EndArea() => Gui.Close("area");
 

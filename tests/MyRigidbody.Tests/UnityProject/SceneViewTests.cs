@@ -11,7 +11,7 @@ namespace RigidBodyDynamics.Tests.UnityProject;
 public sealed class SceneViewTests
 {
     // Panel.cs: margin and width, for 720 pixels of height; larger windows have a larger panel, smaller ones the same
-    private const float PanelEnd = 8 + 250, DesignHeight = 720;
+    private const float PanelEnd = 8 + 250, DesignWidth = 1280, DesignHeight = 720;
 
     private static readonly string[] Scenes = [Change.LabScene, Change.SlabScene];
     private static readonly Dictionary<string, DrawnScene> Drawn = Scenes.ToDictionary(scene => scene, scene => DrawnScene.Read(Root.File(scene)));
@@ -21,7 +21,7 @@ public sealed class SceneViewTests
         [ValueSource(nameof(Scenes))] string scene, [Values("1280x720", "1920x1080", "1024x768", "800x450", "2560x1080")] string window)
     {
         int[] size = [.. window.Split('x').Select(int.Parse)];
-        float panel = PanelEnd * Math.Max(1, size[1] / DesignHeight);
+        float panel = PanelEnd * Math.Max(1, Math.Min(size[1] / DesignHeight, size[0] / DesignWidth));
         foreach (Vector2 corner in Bodies(scene).SelectMany(body => Outline.Of(body, Drawn[scene].View, size[0], size[1])))
         {
             Assert.That(corner.X, Is.InRange(panel + 20, size[0] - 20f));

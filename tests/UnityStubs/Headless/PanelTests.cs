@@ -51,10 +51,10 @@ namespace RigidBodyDynamics.Scripts.Tests.Headless
         [Test]
         public void Pause_and_run_stop_and_go_on()
         {
-            Gui.Click("pause 暂停");
+            Gui.Click("pause");
             Frames(5);
             Assert.That(_experiment.Steps, Is.EqualTo(5));
-            Gui.Click("run 运行");
+            Gui.Click("run");
             Frames(5);
             Assert.That(_experiment.Steps, Is.EqualTo(10));
         }
@@ -64,7 +64,7 @@ namespace RigidBodyDynamics.Scripts.Tests.Headless
         {
             Gui.HoldDown("→");
             Frames(1);
-            Gui.Click("one step 单步");
+            Gui.Click("one step");
             Frames(5);
 
             Assert.That(_experiment.Steps, Is.EqualTo(7));
@@ -77,11 +77,11 @@ namespace RigidBodyDynamics.Scripts.Tests.Headless
         [Test]
         public void Pushes_of_Update_do_not_pile_up_while_paused()
         {
-            Gui.Click("pushed in Update 在 Update 中施力");
-            Gui.Click("pause 暂停");
+            Gui.Click("pushed in Update");
+            Gui.Click("pause");
             Gui.HoldDown("→");
             Frames(20);
-            Gui.Click("one step 单步");
+            Gui.Click("one step");
 
             Assert.That(_theirs.State.Velocity.X, Is.EqualTo(5 * 0.02).Within(1e-6));
         }
@@ -93,7 +93,7 @@ namespace RigidBodyDynamics.Scripts.Tests.Headless
             Frames(5);
             Assert.That(_mine.State.Velocity.X, Is.GreaterThan(0));
             Gui.HoldDown(null);
-            Gui.Click("reset 重置");
+            Gui.Click("reset");
 
             Assert.That(_experiment.Steps, Is.Zero);
             Assert.That(_mine.State.Position.Length, Is.Zero);
@@ -103,12 +103,12 @@ namespace RigidBodyDynamics.Scripts.Tests.Headless
         [Test]
         public void Slow_takes_ten_times_as_long()
         {
-            Gui.Click("slow 慢动作");
+            Gui.Click("slow");
             Frames(50);
 
             Assert.That(_experiment.IsSlow, Is.True);
             Assert.That(_experiment.Steps, Is.EqualTo(10).Within(1));
-            Gui.Click("slow 慢动作");
+            Gui.Click("slow");
             Assert.That(Time.timeScale, Is.EqualTo(1));
         }
 
@@ -156,11 +156,11 @@ namespace RigidBodyDynamics.Scripts.Tests.Headless
         [Test]
         public void The_switches_of_the_engines_body_set_it_and_start_again()
         {
-            Gui.Click("the lab's inertia, × 3 实验的惯量");
+            Gui.Click("the lab's inertia, × 3");
             Assert.That(_experiment.Steps, Is.Zero);
-            Gui.Click("drag 1, as 0.98 a step 阻尼 1");
-            Gui.Click("at most 7 rad/s 限制角速度");
-            Gui.Click("pushed in Update 在 Update 中施力");
+            Gui.Click("drag 1, as 0.98 a step");
+            Gui.Click("at most 7 rad/s");
+            Gui.Click("pushed in Update");
             Frames(2);
 
             Rigidbody body = _theirs.GetComponent<Rigidbody>();
@@ -170,8 +170,8 @@ namespace RigidBodyDynamics.Scripts.Tests.Headless
             Assert.That(body.maxAngularVelocity, Is.GreaterThan(1000));
             Assert.That(_theirs.pushesInUpdate, Is.True);
 
-            Gui.Click("the lab's inertia, × 3 实验的惯量");
-            Gui.Click("drag 1, as 0.98 a step 阻尼 1");
+            Gui.Click("the lab's inertia, × 3");
+            Gui.Click("drag 1, as 0.98 a step");
             Assert.That(body.inertiaTensor.x, Is.EqualTo(1f / 6).Within(1e-7f));
             Assert.That(EngineVersions.AngularDrag(body), Is.EqualTo(0.05f));
         }
@@ -179,9 +179,9 @@ namespace RigidBodyDynamics.Scripts.Tests.Headless
         [Test]
         public void Record_and_stop_write_a_recording_and_say_where()
         {
-            Gui.Click("record 录制");
+            Gui.Click("record");
             Frames(5);
-            Gui.Click("stop 停止录制");
+            Gui.Click("stop");
             Frames(1);
 
             Assert.That(_experiment.LastRecording, Does.StartWith(Application.persistentDataPath).And.EndWith(".json"));
@@ -195,11 +195,61 @@ namespace RigidBodyDynamics.Scripts.Tests.Headless
         {
             UnityConsole.IgnoresErrors = true;
             _mine.mass = 0;
-            Gui.Click("reset 重置");
+            Gui.Click("reset");
             Frames(2);
 
-            Assert.That(Gui.Texts, Has.Member("see the console 请看控制台"));
+            Assert.That(Gui.Texts, Has.Member("see the console"));
         }
+
+        [Test]
+        public void It_speaks_one_language_at_a_time()
+        {
+            Assert.That(Gui.Texts.Where(text => text.Any(IsChinese)), Is.EqualTo(new[] { "中文" }));
+            Gui.Click("中文");
+            Frames(1);
+            Assert.That(Gui.Texts, Has.Member("暂停").And.Member("角速度").And.Member("English").And.No.Member("pause").And.No.Member("spin"));
+            Gui.Click("English");
+            Frames(1);
+            Assert.That(Gui.Texts, Has.Member("pause").And.No.Member("暂停"));
+        }
+
+        [Test]
+        public void It_begins_in_the_language_of_the_system()
+        {
+            World.Language = SystemLanguage.ChineseSimplified;
+            EditorPlays.Recompile();
+            Frames(1);
+            World.Language = SystemLanguage.English;
+            string[] texts = Gui.Texts.ToArray();
+            EditorPlays.Recompile();
+
+            Assert.That(texts, Has.Member("重置").And.No.Member("reset"));
+        }
+
+        // a Game view at 720p, at 4K, on a laptop with the editor round it, and upright
+        [TestCase(1280, 720, 1)]
+        [TestCase(3840, 2160, 3)]
+        [TestCase(640, 360, 1)]
+        [TestCase(1080, 1920, 1)]
+        public void It_is_as_large_as_its_text_needs_and_can_be_folded(int width, int height, float scale)
+        {
+            World.ScreenWidth = width;
+            World.ScreenHeight = height;
+            Frames(1);
+            Assert.That(Gui.DrawnArea.width, Is.EqualTo(250 * scale));
+            Assert.That(Gui.DrawnArea.x + Gui.DrawnArea.width, Is.LessThan(0.5f * width));
+            Assert.That(Gui.DrawnArea.y + Gui.DrawnArea.height, Is.LessThanOrEqualTo(height));
+
+            Gui.Click("hide");
+            Frames(1);
+            Assert.That(Gui.DrawnArea.height, Is.EqualTo(40 * scale));
+            Assert.That(Gui.Texts, Has.No.Member("pause").And.Member("show"));
+            Gui.Click("show");
+            Frames(1);
+            Assert.That(Gui.Texts, Has.Member("pause"));
+        }
+
+        private static bool IsChinese(char c) => c >= '\u4e00' && c <= '\u9fff';
 
         private static string[] Tags() => Gui.Drawn.Where(control => control.Kind == "tag").Select(control => control.Text).ToArray();
 

@@ -11,13 +11,14 @@ namespace RigidBodyDynamics.Scripts
     [AddComponentMenu("MyRigidbody/Panel")]
     public sealed class Panel : MonoBehaviour
     {
-        private const float Width = 250, NameWidth = 110, Margin = 8, DesignHeight = 720, SecondsPerTiming = 0.5f;
+        private const float Width = 250, NameWidth = 110, Margin = 8, DesignWidth = 1280, DesignHeight = 720, FoldedHeight = 40, SecondsPerTiming = 0.5f;
         private const float TagWidth = 110, TagHeight = 22, TagBelow = 70;
         private static readonly string[] KeyNames = { "←", "→", "↑", "↓", "R" };
         private readonly List<Yardstick> _yardsticks = new List<Yardstick>();
         private Experiment _experiment;
         private MyRigidbody _choosing;
         private Vector2 _scroll;
+        private bool _isFolded;
         private float _nextTiming;
 
         private void Start()
@@ -46,13 +47,33 @@ namespace RigidBodyDynamics.Scripts
 
         private void OnGUI()
         {
-            // the same size on every screen
-            float scale = Mathf.Max(1, Screen.height / DesignHeight);
+            // the same share of every large screen, and never smaller than Unity's own text
+            float scale = Mathf.Max(1, Mathf.Min(Screen.height / DesignHeight, Screen.width / DesignWidth));
             GUI.matrix = Matrix4x4.Scale(new Vector3(scale, scale, 1));
             Names(scale);
-            GUILayout.BeginArea(new Rect(Margin, Margin, Width, Screen.height / scale - 2 * Margin), GUI.skin.box);
+            GUILayout.BeginArea(new Rect(Margin, Margin, Width, _isFolded ? FoldedHeight : Screen.height / scale - 2 * Margin), GUI.skin.box);
+            Head();
+            if (!_isFolded)
+                Content();
+
+            GUILayout.EndArea();
+        }
+
+        // in a small Game view the panel would cover the bodies: folded, it leaves them the view
+        private void Head()
+        {
+            GUILayout.BeginHorizontal();
+            if (GUILayout.Button(_isFolded ? Words.Say("show", "展开") : Words.Say("hide", "收起")))
+                _isFolded = !_isFolded;
+            if (GUILayout.Button(Words.Say("中文", "English")))
+                Words.AreChinese = !Words.AreChinese;
+            GUILayout.EndHorizontal();
+        }
+
+        private void Content()
+        {
             _scroll = GUILayout.BeginScrollView(_scroll);
-            Row("time 时间", Text(_experiment.Seconds, "0.00") + " s");
+            Row(Words.Say("time", "时间"), Text(_experiment.Seconds, "0.00") + " s");
             Keys();
             Switches();
             foreach (Yardstick yardstick in _yardsticks)
@@ -68,7 +89,6 @@ namespace RigidBodyDynamics.Scripts
                 About(body);
 
             GUILayout.EndScrollView();
-            GUILayout.EndArea();
         }
 
         // the name of each body, below it
@@ -118,16 +138,16 @@ namespace RigidBodyDynamics.Scripts
         private void Switches()
         {
             GUILayout.BeginHorizontal();
-            if (GUILayout.Button(_experiment.IsPaused ? "run 运行" : "pause 暂停"))
+            if (GUILayout.Button(_experiment.IsPaused ? Words.Say("run", "运行") : Words.Say("pause", "暂停")))
                 _experiment.IsPaused = !_experiment.IsPaused;
-            if (GUILayout.Button("one step 单步"))
+            if (GUILayout.Button(Words.Say("one step", "单步")))
                 _experiment.StepOnce();
-            if (GUILayout.Button("reset 重置"))
+            if (GUILayout.Button(Words.Say("reset", "重置")))
                 _experiment.StartAgain();
             GUILayout.EndHorizontal();
             GUILayout.BeginHorizontal();
-            _experiment.IsSlow = GUILayout.Toggle(_experiment.IsSlow, "slow 慢动作");
-            if (_experiment.Theirs.Count + _experiment.Students.Count > 0 && GUILayout.Button(_experiment.IsRecording ? "stop 停止录制" : "record 录制"))
+            _experiment.IsSlow = GUILayout.Toggle(_experiment.IsSlow, Words.Say("slow", "慢动作"));
+            if (_experiment.Theirs.Count + _experiment.Students.Count > 0 && GUILayout.Button(_experiment.IsRecording ? Words.Say("stop", "停止录制") : Words.Say("record", "录制")))
                 Record();
             GUILayout.EndHorizontal();
             if (!string.IsNullOrEmpty(_experiment.LastRecording))
@@ -147,7 +167,7 @@ namespace RigidBodyDynamics.Scripts
             Title(body.name);
             if (!body.IsReady)
             {
-                GUILayout.Label("see the console 请看控制台");
+                GUILayout.Label(Words.Say("see the console", "请看控制台"));
                 return;
             }
 
@@ -159,10 +179,10 @@ namespace RigidBodyDynamics.Scripts
 
             Motion(body.State, body.Body.Mass);
             if (body.comparedWith != null)
-                Row("to default 相差", Angle(Conserved.AngleBetween(body.State.Orientation, body.comparedWith.State.Orientation)));
+                Row(Words.Say("to default", "与 Unity 相差"), Angle(Conserved.AngleBetween(body.State.Orientation, body.comparedWith.State.Orientation)));
 
-            Row("error 误差", Angle(yardstick.AngleError) + ", " + Text(yardstick.DistanceError, "0.000") + " m");
-            Row("one step 每步", Text(yardstick.NanosecondsPerStep, "0") + " ns");
+            Row(Words.Say("error", "误差"), Angle(yardstick.AngleError) + ", " + Text(yardstick.DistanceError, "0.000") + " m");
+            Row(Words.Say("one step", "每步耗时"), Text(yardstick.NanosecondsPerStep, "0") + " ns");
         }
 
         private void Choose(MyRigidbody body)
@@ -182,10 +202,10 @@ namespace RigidBodyDynamics.Scripts
         {
             Title(body.name);
             Motion(body.State, body.Mass);
-            bool isChanged = Switch(ref body.hasLabInertia, "the lab's inertia, × 3 实验的惯量")
+            bool isChanged = Switch(ref body.hasLabInertia, Words.Say("the lab's inertia, × 3", "实验的转动惯量，三倍"))
                 | Damping(body)
-                | Switch(ref body.limitsSpin, "at most 7 rad/s 限制角速度")
-                | Switch(ref body.pushesInUpdate, "pushed in Update 在 Update 中施力");
+                | Switch(ref body.limitsSpin, Words.Say("at most 7 rad/s", "角速度不超过 7 rad/s"))
+                | Switch(ref body.pushesInUpdate, Words.Say("pushed in Update", "在 Update 中施力"));
             if (isChanged)
                 _experiment.StartAgain();
         }
@@ -196,10 +216,10 @@ namespace RigidBodyDynamics.Scripts
                 return;
 
             Title(body.Name);
-            GUILayout.Label("your script, by differences of the pose\n你的脚本，由位姿之差求得");
+            GUILayout.Label(Words.Say("your script, by differences of the pose", "你的脚本，由位姿之差求得"));
             Speeds(body.State);
             if (_experiment.Steps > 0)
-                Row("frames a step 每步帧数", Text((double)body.Frames / _experiment.Steps, "0.00"));
+                Row(Words.Say("frames a step", "每步帧数"), Text((double)body.Frames / _experiment.Steps, "0.00"));
 
             if (body.Mine != null && body.Mine.IsReady)
                 Apart(body, body.Mine.name, body.Mine.StartState(), body.Mine.State);
@@ -209,12 +229,12 @@ namespace RigidBodyDynamics.Scripts
         }
 
         private static void Apart(StudentBody body, string other, BodyState start, BodyState now) =>
-            Row("to " + other + " 相差", Text(body.DistanceTo(start, now), "0.000") + " m, " + Angle(body.AngleTo(start, now)));
+            Row(Words.Say("to " + other, "与 " + other + " 相差"), Text(body.DistanceTo(start, now), "0.000") + " m, " + Angle(body.AngleTo(start, now)));
 
         private static bool Damping(DefaultRigidbody body)
         {
             bool isLabs = body.drag == 1;
-            if (!Switch(ref isLabs, "drag 1, as 0.98 a step 阻尼 1"))
+            if (!Switch(ref isLabs, Words.Say("drag 1, as 0.98 a step", "阻尼 1，即每步 0.98")))
                 return false;
 
             body.drag = isLabs ? 1 : 0;
@@ -232,16 +252,16 @@ namespace RigidBodyDynamics.Scripts
         private static void Motion(BodyState state, MassProperties mass)
         {
             Speeds(state);
-            Row("energy 动能", Text(Conserved.KineticEnergy(state, mass), "0.000") + " J");
+            Row(Words.Say("energy", "动能"), Text(Conserved.KineticEnergy(state, mass), "0.000") + " J");
             Vector3d momentum = Conserved.AngularMomentum(state, mass);
-            Row("abs(L) 角动量", Text(momentum.Length, "0.0000") + " kg m²/s");
+            Row(Words.Say("abs(L)", "角动量大小"), Text(momentum.Length, "0.0000") + " kg m²/s");
             Row("L", Text(momentum.X, "0.000") + "  " + Text(momentum.Y, "0.000") + "  " + Text(momentum.Z, "0.000"));
         }
 
         private static void Speeds(BodyState state)
         {
-            Row("speed 速度", Text(state.Velocity.Length, "0.00") + " m/s");
-            Row("spin 角速度", Text(state.AngularVelocity.Length, "0.00") + " rad/s");
+            Row(Words.Say("speed", "速度"), Text(state.Velocity.Length, "0.00") + " m/s");
+            Row(Words.Say("spin", "角速度"), Text(state.AngularVelocity.Length, "0.00") + " rad/s");
         }
 
         private static void Title(string name)
