@@ -93,6 +93,12 @@ namespace RigidBodyDynamics.BitHash
                 .With(new QuadraticDrag(0.01))
                 .With(new Spring(new Vector3d(0, 0.5, 0), new Vector3d(0, 3, 0), 4), 10, 160)
                 .With(new Force(new Vector3d(0.2, 0, -0.1), at: new Vector3d(0, 0.3, 0), inBody: true), 50, 60)
+                .With(new Force(new Vector3d(0.1, 0, 0.2), new Vector3d(0, 0.3, 0), new Vector3d(-0.1, 0, 0), 1.7), 55, 70)
+                .With(new Force(new Vector3d(0, 0.2, 0.1), at: new Vector3d(0.2, 0, -0.3)), 60, 75)
+                .With(new Impulse(new Vector3d(1, -0.5, 0.2), new Vector3d(0, 0.1, 0), at: new Vector3d(0.1, 0.2, 0)), 72)
+                .With(new Impulse(new Vector3d(-1, 0.5, 0), inBody: true), 101)
+                .With(new MassRate(-0.05), 150, 156)
+                .With(new MassRate(0.02, Keeping.Momentum), 154, 160)
                 .With(new HeavyTop(new Vector3d(0, 0, 1), 0.4, new Vector3d(0, 1, 0)), 40, 50)
                 .With(new PerStep(kicks, kicks));
         }
