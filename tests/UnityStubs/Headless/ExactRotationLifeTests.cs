@@ -45,7 +45,7 @@ namespace RigidBodyDynamics.Scripts.Tests.Headless
             Exact.enabled = true;
             FreeMotion free = Free();
             Frames(500);
-            Assert.That(Angle(free.At(500 * Dt)), Is.LessThan(5e-7));
+            Assert.That(Angle(free.At(500 * Dt)), Is.LessThan(5e-7)); // measured 1.2e-8
         }
 
         [Test]
@@ -58,7 +58,7 @@ namespace RigidBodyDynamics.Scripts.Tests.Headless
             FreeMotion free = Free();
             Frames(500);
 
-            Assert.That(Angle(free.At(500 * Dt)), Is.LessThan(5e-7));
+            Assert.That(Angle(free.At(500 * Dt)), Is.LessThan(5e-7)); // measured 1.1e-7
         }
 
         [Test]
@@ -73,7 +73,7 @@ namespace RigidBodyDynamics.Scripts.Tests.Headless
 
             Time.timeScale = 0.5f;
             Frames(100);
-            Assert.That(Angle(free.At(50 * Dt)), Is.LessThan(5e-7));
+            Assert.That(Angle(free.At(50 * Dt)), Is.LessThan(5e-7)); // measured 1.9e-8
         }
 
         [Test]
@@ -108,7 +108,7 @@ namespace RigidBodyDynamics.Scripts.Tests.Headless
             for (int step = 0; step < 50; step++)
                 experiment.StepOnce();
 
-            Assert.That(Angle(free.At(50 * Dt)), Is.LessThan(5e-7));
+            Assert.That(Angle(free.At(50 * Dt)), Is.LessThan(5e-7)); // measured 2.1e-8
         }
 
         [Test]

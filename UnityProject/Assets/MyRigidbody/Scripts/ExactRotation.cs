@@ -22,7 +22,6 @@ namespace RigidBodyDynamics.Scripts
         private static readonly WaitForFixedUpdate PhysicsIsDone = new WaitForFixedUpdate();
 
         [Tooltip("Rigidbody.maxAngularVelocity while this is on, rad/s. Unity's own limit is 7, and a body that reaches it loses what is above.\n启用期间 Rigidbody 的最大角速度，弧度每秒。Unity 默认限制为 7，超出部分会被截去。")]
-        [Min(0)]
         public float maxAngularVelocity = 1000;
 
         private readonly ExactTop _top = new ExactTop();
