@@ -36,7 +36,7 @@ internal static class Diagnosis
         }
         else if (mass > 0)
         {
-            findings.AddRange(body.Geometry != null ? GeometryDiagnosis.Of(body, mass, body.Geometry) : Alone(body, mass));
+            findings.AddRange(body.Geometry is Geometry geometry && geometry.Weighing(mass) is MassProperties even ? GeometryDiagnosis.Of(body, mass, geometry, even) : Alone(body, mass));
         }
 
         return findings;
@@ -67,7 +67,7 @@ internal static class Diagnosis
     private static (string Code, string Cause)? Cause(DescribedBody body, double mass)
     {
         SymmetricMatrix3 tensor = body.Tensor;
-        SymmetricMatrix3? filled = mass > 0 ? body.Geometry?.Weighing(mass).Inertia : null;
+        SymmetricMatrix3? filled = mass > 0 ? body.Geometry?.Weighing(mass)?.Inertia : null;
         // six in the order xx, yy, zz, xy, xz, yz, read as in URDF: xx, xy, xz, yy, yz, zz
         if (body.Listed is [double xx, double xy, double xz, double yy, double yz, double zz]
             && IsLike(body, new SymmetricMatrix3 { XX = xx, YY = yy, ZZ = zz, XY = xy, XZ = xz, YZ = yz }, filled))
@@ -137,7 +137,7 @@ internal static class Diagnosis
         if (body.Center.LengthSquared > 2.5 * Tensors.Spread(moved) / mass && Tensors.IsPossible(moved))
         {
             yield return new Finding("about-origin", Severity.Note,
-                "it may have been taken about the origin of the link: without m (d·d 1 − d dᵀ) it is that of a slender body, " + Tensors.Text(moved));
+                "it may have been taken about the origin of the link: less m (d·d 1 − d dᵀ) it is that of a body much smaller than its centre of mass is far from the origin, " + Tensors.Text(moved));
         }
     }
 

@@ -82,8 +82,18 @@ internal sealed class Geometry
     /// <summary>All of it as one body, by the densities with which it was added.</summary>
     public MassProperties Whole() => _parts.ToMassProperties();
 
-    /// <summary>All of it, as heavy as is said.</summary>
-    public MassProperties Weighing(double mass) => Weighing(Whole(), mass);
+    /// <summary>All of it evenly filled, as heavy as is said; null where that is beyond the range of numbers.</summary>
+    public MassProperties? Weighing(double mass)
+    {
+        try
+        {
+            return Weighing(Whole(), mass);
+        }
+        catch (ArgumentException)
+        {
+            return null;
+        }
+    }
 
     private static MassProperties Weighing(MassProperties body, double mass) =>
         MassProperties.FromTensor(mass, mass / body.Mass * body.Inertia, body.CenterOfMass);

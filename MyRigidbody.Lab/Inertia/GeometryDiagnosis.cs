@@ -16,9 +16,8 @@ internal static class GeometryDiagnosis
     ];
 
     /// <summary>What is doubtful.</summary>
-    public static IEnumerable<Finding> Of(DescribedBody body, double mass, Geometry geometry)
+    public static IEnumerable<Finding> Of(DescribedBody body, double mass, Geometry geometry, MassProperties even)
     {
-        MassProperties even = geometry.Weighing(mass);
         double volume = geometry.Whole().Mass, density = mass / volume;
         Vector3d half = 0.5 * (geometry.High - geometry.Low);
         Finding? center = Center(body.Center, geometry), tensor = Tensor(body, mass, even, half, center != null);

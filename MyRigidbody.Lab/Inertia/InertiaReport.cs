@@ -8,6 +8,10 @@ namespace RigidBodyDynamics.Lab.Inertia;
 internal sealed class InertiaReport
 {
     private static readonly JsonSerializerOptions Indented = new() { WriteIndented = true, Encoder = System.Text.Encodings.Web.JavaScriptEncoder.UnsafeRelaxedJsonEscaping };
+
+    // nobody reads more of them, and to lay out a table of 50,000 rows takes half a minute; --json has all
+    private const int MostShown = 500;
+
     private readonly InertiaFile _file;
     private readonly IReadOnlyList<(DescribedBody Body, IReadOnlyList<Finding> Findings)> _bodies;
 
@@ -24,7 +28,7 @@ internal sealed class InertiaReport
     public void Print()
     {
         TextTable table = new TextTable("body", "mass, kg", "centre of mass, m", "principal moments, kg m²", "their frame, w x y z", "found").RightAligned(1);
-        foreach ((DescribedBody body, IReadOnlyList<Finding> findings) in _bodies)
+        foreach ((DescribedBody body, IReadOnlyList<Finding> findings) in _bodies.Take(MostShown))
         {
             if (body.Mass is not double mass)
             {
@@ -39,7 +43,12 @@ internal sealed class InertiaReport
         }
 
         Terminal.Write(table);
-        foreach ((DescribedBody body, IReadOnlyList<Finding> findings) in _bodies)
+        if (_bodies.Count > MostShown)
+        {
+            Terminal.WriteText($"and {_bodies.Count - MostShown} bodies more, which --json shows");
+        }
+
+        foreach ((DescribedBody body, IReadOnlyList<Finding> findings) in _bodies.Where(body => body.Findings.Count + body.Body.Notes.Count > 0).Take(MostShown))
         {
             string name = body.Name + (body.Place.Length > 0 ? $" ({body.Place})" : string.Empty);
             foreach (Finding finding in findings)
@@ -87,11 +96,11 @@ internal sealed class InertiaReport
         {
             (Vector3d moments, Quaterniond frame) = Principal(body);
             SymmetricMatrix3 t = body.InBodyAxes;
-            json["mass"] = mass;
-            json["centerOfMass"] = new JsonArray(body.Center.X, body.Center.Y, body.Center.Z);
-            json["tensor"] = new JsonObject { ["xx"] = t.XX, ["yy"] = t.YY, ["zz"] = t.ZZ, ["xy"] = t.XY, ["xz"] = t.XZ, ["yz"] = t.YZ };
-            json["principalMoments"] = new JsonArray(moments.X, moments.Y, moments.Z);
-            json["frame"] = new JsonArray(frame.W, frame.X, frame.Y, frame.Z);
+            json["mass"] = Number(mass);
+            json["centerOfMass"] = new JsonArray(Number(body.Center.X), Number(body.Center.Y), Number(body.Center.Z));
+            json["tensor"] = new JsonObject { ["xx"] = Number(t.XX), ["yy"] = Number(t.YY), ["zz"] = Number(t.ZZ), ["xy"] = Number(t.XY), ["xz"] = Number(t.XZ), ["yz"] = Number(t.YZ) };
+            json["principalMoments"] = new JsonArray(Number(moments.X), Number(moments.Y), Number(moments.Z));
+            json["frame"] = new JsonArray(Number(frame.W), Number(frame.X), Number(frame.Y), Number(frame.Z));
             json["isPossible"] = mass > 0 && Tensors.IsPossible(body.Tensor);
             json["isComputedFromGeometry"] = body.IsComputed;
         }
@@ -103,6 +112,9 @@ internal sealed class InertiaReport
         json["notes"] = List(body.Notes);
         return json;
     }
+
+    // JSON has no word for what is beyond the range of numbers
+    private static JsonNode? Number(double number) => double.IsFinite(number) ? number : null;
 
     private static JsonArray List(IReadOnlyList<string> texts) => new([.. texts.Select(text => (JsonNode)text)]);
 

@@ -36,7 +36,9 @@ internal static class SceneBodies
 
     private static DescribedBody Given(DescribedBody body, Fields fields, Fields kinds, Place numbers)
     {
-        double[] n = new double[6], half = new double[6];
+        double[] n = new double[6];
+        string[] written = new string[6];
+        Array.Fill(written, string.Empty);
         if (numbers.Name == "principal")
         {
             Vector3d moments = numbers.Vector();
@@ -44,7 +46,7 @@ internal static class SceneBodies
             int i = 0;
             foreach (Place moment in numbers.List())
             {
-                half[i++] = Robots.Attributes.HalfDigit(moment.Value.GetRawText());
+                written[i++] = moment.Value.GetRawText();
             }
         }
         else
@@ -54,7 +56,7 @@ internal static class SceneBodies
             {
                 Place? element = i < 3 ? tensor.Required(Elements[i]) : tensor.Optional(Elements[i]);
                 n[i] = element?.Number() ?? 0;
-                half[i] = element is Place written ? Robots.Attributes.HalfDigit(written.Value.GetRawText()) : 0;
+                written[i] = element?.Value.GetRawText() ?? string.Empty;
             }
 
             tensor.End();
@@ -68,7 +70,7 @@ internal static class SceneBodies
             Center = center,
             Axes = kinds.Or("frame", Quaterniond.Identity, place => place.Turn()),
             Tensor = Robots.UrdfReader.Tensor(n),
-            HalfDigits = Robots.UrdfReader.Tensor(half),
+            HalfDigits = Robots.UrdfReader.Tensor(TypedDigits.HalfUnits(written)),
         };
         return fields.Or("about", 0, place => place.OneOf("centerOfMass", "origin")) == 1
             ? given with { Tensor = given.InBodyAxes - mass * SymmetricMatrix3.OfPoint(center), Axes = Quaterniond.Identity }

@@ -49,15 +49,6 @@ internal sealed record Attributes(string File)
     /// <summary>The error that says what is wrong at an element.</summary>
     public InputException Wrong(XElement element, string what) => XmlFile.Wrong(File, element, $"{Shown(element.Name.LocalName)}: {what}");
 
-    /// <summary>Half of what the last digit of a number stands for: 0.0000005 of "0.333333".</summary>
-    public static double HalfDigit(string number)
-    {
-        int exponent = number.IndexOfAny(['e', 'E']), point = number.IndexOf('.');
-        int places = point < 0 ? 0 : (exponent < 0 ? number.Length : exponent) - point - 1;
-        int power = exponent >= 0 && int.TryParse(number.AsSpan(exponent + 1), NumberStyles.AllowLeadingSign, CultureInfo.InvariantCulture, out int written) ? written : 0;
-        return 0.5 * Math.Pow(10, power - places);
-    }
-
     private static string Shown(string text) => text.Length <= MostShown ? text : text[..MostShown] + "…";
 
     private static string Xacro(string text) =>

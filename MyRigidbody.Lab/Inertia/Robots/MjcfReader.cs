@@ -127,8 +127,15 @@ internal sealed class MjcfReader
             return body;
         }
 
-        MassProperties mass = whole.Whole();
-        return body with { Mass = mass.Mass, Center = mass.CenterOfMass, Tensor = mass.Inertia, IsComputed = true, Geometry = whole };
+        try
+        {
+            MassProperties mass = whole.Whole();
+            return body with { Mass = mass.Mass, Center = mass.CenterOfMass, Tensor = mass.Inertia, IsComputed = true, Geometry = whole };
+        }
+        catch (ArgumentException refused)
+        {
+            throw XmlFile.Wrong(_file, element, $"its geoms together: {refused.Message}");
+        }
     }
 
     private DescribedBody Given(DescribedBody body, XElement inertial, List<Finding> faults)
@@ -143,7 +150,7 @@ internal sealed class MjcfReader
 
         double[] n = full ?? [.. diagonal!, 0, 0, 0];
         string written = inertial.Attribute(full != null ? "fullinertia" : "diaginertia")!.Value;
-        double[] half = [.. written.Split((char[]?)null, StringSplitOptions.RemoveEmptyEntries).Select(Attributes.HalfDigit), 0, 0, 0];
+        double[] half = [.. TypedDigits.HalfUnits(written.Split((char[]?)null, StringSplitOptions.RemoveEmptyEntries)), 0, 0, 0];
         Quaterniond axes = _turns.Of(inertial);
         if (full != null && axes != Quaterniond.Identity)
         {

@@ -36,7 +36,7 @@ internal sealed class UrdfReader(string file)
         }
 
         double[] n = [.. Elements.Select((element, i) => i < 3 ? _attributes.Number(inertia, element) : _attributes.Number(inertia, element, 0))];
-        double[] half = [.. Elements.Select(element => inertia.Attribute(element) is XAttribute written ? Attributes.HalfDigit(written.Value.Trim()) : 0)];
+        double[] half = TypedDigits.HalfUnits([.. Elements.Select(element => inertia.Attribute(element)?.Value.Trim() ?? string.Empty)]);
         return body with
         {
             Mass = _attributes.Number(mass, "value"),

@@ -89,6 +89,7 @@ public sealed class InertiaCommandTests
         Refuse("a.urdf", Head + Good + "</inertial><collision><geometry><box size=\"1 0 1\"/></geometry></collision></link></robot>", "must"),
         Refuse("a.xml", "<mujoco><worldbody><body><inertial pos=\"0 0 0\" mass=\"1\"/></body></worldbody></mujoco>", "inertial: diaginertia or fullinertia is missing"),
         Refuse("a.xml", "<mujoco><worldbody><body><geom type=\"box\" size=\"1 1\"/></body></worldbody></mujoco>", "geom: size of a box must have 3 numbers, found 2"),
+        Refuse("a.xml", "<mujoco><worldbody><body><geom type=\"capsule\" size=\"0.02\" fromto=\"0 0 0 9e30 8e30 1e30\"/><geom size=\"0.1\"/></body></worldbody></mujoco>", "a.xml: line 1: "),
         Refuse("a.xml", "<mujoco><compiler coordinate=\"global\"/></mujoco>", "compiler coordinate=\"global\" is not understood"),
         Refuse("a.xacro", "<robot/>", "is xacro, which must be expanded first"),
         Refuse("a.step", "", "must be a scene (.json), a mesh (.stl, .obj), a URDF (.urdf, .xml) or an MJCF (.xml, .mjcf)"),

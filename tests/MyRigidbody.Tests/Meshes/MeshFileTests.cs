@@ -231,7 +231,7 @@ public sealed class MeshFileTests
         LabProcess run = LabProcess.Run(folder.Path, "run", "s.json", "--out", "part.obj");
 
         Assert.That((run.ExitCode, run.Error), Is.EqualTo((2, "error: s.json: bodies[0].inertia.mesh: part.obj: triangles: must be a closed surface, whose every edge is in two triangles, once in each direction, "
-            + "and the edge from (0.5, -1, 2) to (0.5, 1, 2) is in triangle 3 alone: the surface is open there; 2 more edges are like that\n")));
+            + "and the edge from (0.5, -1, 2) to (0.5, 1, 2) is in triangle 3 alone: the surface is open there; 2 more edges are like that, in body \"b\"\n")));
     }
 
     [Test]
