@@ -11,14 +11,20 @@ public sealed class PackageCompileTests
 {
     private static readonly string[] To2019 = ["UNITY_EDITOR", "UNITY_5_3_OR_NEWER", "UNITY_2019_3_OR_NEWER", "UNITY_2019_4_OR_NEWER", "CSHARP_7_3_OR_NEWER"];
 
-    private static readonly string[] To2022 = [.. To2019, "UNITY_2020_1_OR_NEWER", "UNITY_2021_2_OR_NEWER", "UNITY_2022_2_OR_NEWER", "UNITY_2022_3_OR_NEWER"];
+    private static readonly string[] Later =
+    [
+        "UNITY_2020_3_OR_NEWER", "UNITY_2021_3_OR_NEWER", "UNITY_2022_3_OR_NEWER", "UNITY_2023_2_OR_NEWER", "UNITY_6000_0_OR_NEWER", "UNITY_6000_1_OR_NEWER",
+        "UNITY_6000_3_OR_NEWER", "UNITY_6000_6_OR_NEWER",
+    ];
 
+    private static readonly string[] Old = ["ENABLE_LEGACY_INPUT_MANAGER"], New = ["ENABLE_INPUT_SYSTEM"], Both = [.. Old, .. New];
+
+    // nine versions, each kind of input in three of them
     internal static readonly TestCaseData[] Versions =
     [
-        new TestCaseData((object)(string[])[.. To2019, "ENABLE_LEGACY_INPUT_MANAGER", "NET_STANDARD_2_0"]).SetArgDisplayNames("2019.4"),
-        new TestCaseData((object)(string[])[.. To2022, "ENABLE_LEGACY_INPUT_MANAGER", "NET_STANDARD", "NET_STANDARD_2_1"]).SetArgDisplayNames("2022.3"),
-        new TestCaseData((object)(string[])[.. To2022, "UNITY_6000_0_OR_NEWER", "ENABLE_INPUT_SYSTEM", "NET_STANDARD", "NET_STANDARD_2_1"]).SetArgDisplayNames("Unity 6, Input System alone"),
-        new TestCaseData((object)(string[])[.. To2022, "UNITY_6000_0_OR_NEWER", "ENABLE_INPUT_SYSTEM", "ENABLE_LEGACY_INPUT_MANAGER", "NET_STANDARD"]).SetArgDisplayNames("Unity 6, both"),
+        Case("2019.4, Input", 0, Old), Case("2020.3, both", 1, Both), Case("2021.3, Input System", 2, New),
+        Case("2022.3, Input", 3, Old), Case("2023.2, both", 4, Both), Case("6000.0, Input System", 5, New),
+        Case("6000.1, both", 6, Both), Case("6000.3, Input", 7, Old), Case("6000.6, Input System", 8, New),
     ];
 
     [TestCaseSource(nameof(Versions))]
@@ -45,6 +51,13 @@ public sealed class PackageCompileTests
         UnityCompiler compiler = new([.. Unpacked(), wrong], [.. To2019, "ENABLE_LEGACY_INPUT_MANAGER"]);
 
         Assert.That(compiler.Complaints("MyRigidbody.Scripts"), Has.Some.Contains(error));
+    }
+
+    private static TestCaseData Case(string name, int version, string[] input)
+    {
+        // what lies in between: 2021.2 brought .NET Standard 2.1, 2022.2 another way to step physics by a script
+        string[] between = [.. version > 1 ? (string[])["UNITY_2021_2_OR_NEWER", "NET_STANDARD", "NET_STANDARD_2_1"] : ["NET_STANDARD_2_0"], .. version > 2 ? (string[])["UNITY_2022_2_OR_NEWER"] : []];
+        return new TestCaseData((object)(string[])[.. To2019, .. Later.Take(version), .. between, .. input]).SetArgDisplayNames(name);
     }
 
     private static IReadOnlyList<Asset> Unpacked()

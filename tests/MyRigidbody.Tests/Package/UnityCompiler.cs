@@ -4,6 +4,7 @@ using System.Text;
 using System.Text.Json;
 using Microsoft.CodeAnalysis;
 using Microsoft.CodeAnalysis.CSharp;
+using Microsoft.CodeAnalysis.CSharp.Syntax;
 using RigidBodyDynamics.Lab.Package;
 using RigidBodyDynamics.Tests.Repository;
 
@@ -58,8 +59,32 @@ internal sealed class UnityCompiler
         Compile(assembly).Compilation.GetDiagnostics().Where(found => found.Severity >= DiagnosticSeverity.Warning).Select(found => found.ToString());
 
     /// <summary>What it has to say of the scripts that no asmdef takes: the student's own assembly.</summary>
-    public IEnumerable<string> ComplaintsOfStudents() => Compilation("Assembly-CSharp", _assets.Where(asset => Homeless.Contains(asset.Path)), [.. Standard, _engine!])
-        .GetDiagnostics().Where(found => found.Severity >= DiagnosticSeverity.Warning).Select(found => found.ToString());
+    public IEnumerable<string> ComplaintsOfStudents() => Students().GetDiagnostics().Where(found => found.Severity >= DiagnosticSeverity.Warning).Select(found => found.ToString());
+
+    /// <summary>The members of the engine and the editor that all of it names, as Type.Member; types alone where only they are named.</summary>
+    public IEnumerable<string> EngineMembers()
+    {
+        IEnumerable<Compilation> compilations = [.. Assemblies.Select(name => Compile(name).Compilation), Students()];
+        return compilations.SelectMany(compilation => compilation.SyntaxTrees.SelectMany(tree =>
+        {
+            SemanticModel model = compilation.GetSemanticModel(tree);
+            return tree.GetRoot().DescendantNodes().OfType<SimpleNameSyntax>().Select(name => model.GetSymbolInfo(name).Symbol).OfType<ISymbol>();
+        })).Select(Named).OfType<string>();
+    }
+
+    private static string? Named(ISymbol symbol)
+    {
+        ISymbol original = symbol is IMethodSymbol { MethodKind: MethodKind.Constructor } ? symbol.ContainingType : symbol.OriginalDefinition;
+        INamedTypeSymbol? type = original as INamedTypeSymbol ?? original.ContainingType;
+        string? space = type?.ContainingNamespace.ToDisplayString();
+        if (space is null || !(space.StartsWith("UnityEngine", StringComparison.Ordinal) || space.StartsWith("UnityEditor", StringComparison.Ordinal)))
+            return null;
+
+        string named = type!.ToDisplayString().Split('<')[0];
+        return original is INamedTypeSymbol ? named : named + "." + original.Name;
+    }
+
+    private CSharpCompilation Students() => Compilation("Assembly-CSharp", _assets.Where(asset => Homeless.Contains(asset.Path)), [.. Standard, _engine!]);
 
     private CompilationReference Compile(string assembly)
     {

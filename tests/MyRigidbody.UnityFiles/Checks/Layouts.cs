@@ -8,6 +8,9 @@ internal static class Layouts
 {
     private static readonly Dictionary<int, (string TypeName, YamlMappingNode Fields)> All = Read();
 
+    /// <summary>Unity's numbers of the classes.</summary>
+    public static IEnumerable<int> Known => All.Keys;
+
     /// <summary>The name and the fields of a class; null if the project should have none of it.</summary>
     public static (string TypeName, YamlMappingNode Fields)? Of(int classId) =>
         All.TryGetValue(classId, out (string TypeName, YamlMappingNode Fields) found) ? found : null;
