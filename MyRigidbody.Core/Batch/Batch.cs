@@ -125,9 +125,10 @@ namespace RigidBodyDynamics
 
         public override void Push(Body body, in Wrench impulse)
         {
-            // it comes to now, if it has not run away
-            StateOf(body);
-            _crowd.Push(this, body.Place, impulse);
+            Follow(body.Place);
+            if (!_crowd.Push(this, body.Place, impulse))
+                throw Lost(body.Place);
+
             Keep(body.Place);
         }
 

@@ -9,17 +9,24 @@ namespace RigidBodyDynamics
 {
     /// <summary>
     /// The numbers of many bodies, a column for each kind of number and a row for each body, so that the same number of
-    /// neighbouring bodies is one vector. The rows up to a multiple of the vector's width are there, lived in or not.
+    /// neighbouring bodies is one vector. The rows up to a multiple of the vector's width are there, lived in or not. What is touched
+    /// one body at a time lies row after row instead.
     /// </summary>
     internal sealed class Columns
     {
         // columns that start at the same address modulo 4096 would push one another out of the cache
         private const int Apart = 12;
 
+        private readonly bool _areRows;
         private double[] _numbers = Array.Empty<double>();
-        private int _stride;
+        // from a number to the next of the same body, and to the same of the next body
+        private int _stride, _next;
 
-        public Columns(int count) => Count = count;
+        public Columns(int count, bool areRows = false)
+        {
+            Count = count;
+            _areRows = areRows;
+        }
 
         /// <summary>How many columns there are.</summary>
         public int Count { get; }
@@ -32,7 +39,7 @@ namespace RigidBodyDynamics
         public Group At(int row) => new Group(_numbers.AsSpan(row, (Count - 1) * _stride + Lanes.Count), _stride);
 
         /// <summary>The numbers of one body, to be carried into its struct or out of it.</summary>
-        public Row Row(int row, bool isOut) => new Row(_numbers.AsSpan(row), _stride, isOut);
+        public Row Row(int row, bool isOut) => new Row(_numbers.AsSpan(row * _next), _stride, isOut);
 
         /// <summary>The squares of one number of some bodies, summed in any order.</summary>
         [MethodImpl(Kernel.Compiled)]
@@ -58,21 +65,29 @@ namespace RigidBodyDynamics
         /// <summary>Makes room for a power of two of rows, at least <see cref="Vector{T}.Count"/>.</summary>
         public void Reserve(int rows)
         {
-            int stride = rows + Apart;
-            double[] numbers = new double[checked(Count * stride)];
-            for (int i = 0; i < Count; i++)
+            int stride = _areRows ? 1 : rows + Apart;
+            double[] numbers = new double[checked(Count * (rows + Apart))];
+            if (_areRows)
+                Array.Copy(_numbers, numbers, Count * Rows);
+
+            for (int i = 0; !_areRows && i < Count; i++)
                 Array.Copy(_numbers, i * _stride, numbers, i * stride, Rows);
 
             _numbers = numbers;
             Rows = rows;
             _stride = stride;
+            _next = _areRows ? Count : 1;
         }
 
         /// <summary>Copies rows to another with the same columns.</summary>
         public void CopyTo(Columns other, int from, int to)
         {
-            for (int i = 0; i < Count; i++)
-                Array.Copy(_numbers, i * _stride + from, other._numbers, i * other._stride + from, to - from);
+            double[] numbers = _numbers, others = other._numbers;
+            for (int row = from; row < to; row++)
+            {
+                for (int i = 0, here = row * _next, there = row * other._next; i < Count; i++, here += _stride, there += other._stride)
+                    others[there] = numbers[here];
+            }
         }
 
         /// <summary>Makes them as others are that have as many columns.</summary>
@@ -84,13 +99,14 @@ namespace RigidBodyDynamics
             Array.Copy(other._numbers, _numbers, _numbers.Length);
             Rows = other.Rows;
             _stride = other._stride;
+            _next = other._next;
         }
 
         /// <summary>Copies one row over another.</summary>
         public void Move(int from, int to)
         {
             for (int i = 0; i < Count; i++)
-                _numbers[i * _stride + to] = _numbers[i * _stride + from];
+                _numbers[i * _stride + to * _next] = _numbers[i * _stride + from * _next];
         }
     }
 

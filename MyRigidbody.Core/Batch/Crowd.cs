@@ -51,8 +51,8 @@ namespace RigidBodyDynamics
         /// <param name="isLoaded">True if the load of that acts besides.</param>
         public abstract Exception Blame(BodyPlan plan, int stretch, int place, Body handle, long step, Mover aside = null, bool isLoaded = false);
 
-        /// <summary>An impulse on a body.</summary>
-        public abstract void Push(Mover mover, int place, in Wrench impulse);
+        /// <summary>An impulse on a body. False where it has run away before.</summary>
+        public abstract bool Push(Mover mover, int place, in Wrench impulse);
 
         /// <summary>
         /// Puts aside a body after a step that it makes by itself, with the impulses that the step begins with; the one in its place stays.

@@ -18,11 +18,15 @@ namespace RigidBodyDynamics
             return body.HasClosedForm;
         }
 
-        public override void Push(Mover mover, int place, in Wrench impulse)
+        public override bool Push(Mover mover, int place, in Wrench impulse)
         {
             TBody body = Out(place);
+            if (!body.IsFinite)
+                return false;
+
             mover.Push(ref body, impulse);
-            In(place, body);
+            In(place, ref body);
+            return true;
         }
 
         public override bool StepAside(Mover mover, int stretch, int place, long step, bool isLoaded)
@@ -50,7 +54,11 @@ namespace RigidBodyDynamics
             return body.IsFinite;
         }
 
-        public override void TakeBack(int aside, int place) => In(place, _aside[aside]);
+        public override void TakeBack(int aside, int place)
+        {
+            TBody body = _aside[aside];
+            In(place, ref body);
+        }
 
         public override void ForgetAside() => _aside.Clear();
 
@@ -80,8 +88,8 @@ namespace RigidBodyDynamics
         /// <summary>A body as it was kept.</summary>
         protected abstract TBody Kept(int place);
 
-        /// <summary>Makes a body another.</summary>
-        protected abstract void In(int place, TBody body);
+        /// <summary>Makes a body another, which is not changed.</summary>
+        protected abstract void In(int place, ref TBody body);
 
         /// <summary>Makes an array as another is.</summary>
         protected static void Copy<T>(T[] from, ref T[] to)

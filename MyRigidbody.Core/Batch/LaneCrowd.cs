@@ -30,7 +30,7 @@ namespace RigidBodyDynamics
             _one = default(TBody);
             _one.Start(new Beginning(body));
             _now = lanes.Bodies;
-            _kept = new Columns(_now.Count);
+            _kept = new Columns(_now.Count, areRows: true);
             _seen = Seen();
         }
 
@@ -46,7 +46,7 @@ namespace RigidBodyDynamics
         {
             TBody one = default(TBody);
             one.Start(new Beginning(body));
-            In(place, one);
+            In(place, ref one);
         }
 
         public override void Move(int from, int to)
@@ -93,13 +93,13 @@ namespace RigidBodyDynamics
                 TBody one = Out(i);
                 one.Prepare(time.High, over);
                 one.Step(new Instant(0, 0), ref leap);
-                In(i, one);
+                In(i, ref one);
             }
         }
 
         public override object Save()
         {
-            Columns[] saved = { new Columns(_now.Count), new Columns(_now.Count) };
+            Columns[] saved = { new Columns(_now.Count), new Columns(_now.Count, areRows: true) };
             saved[0].CopyFrom(_now);
             saved[1].CopyFrom(_kept);
             return saved;
@@ -122,7 +122,7 @@ namespace RigidBodyDynamics
             return one;
         }
 
-        protected override void In(int place, TBody body) => Carry(ref body, _now.Row(place, isOut: true), isAll: true);
+        protected override void In(int place, ref TBody body) => Carry(ref body, _now.Row(place, isOut: true), isAll: true);
 
         /// <summary>Carries what changes in a body to its row or from there: all of it, or what one sees of it.</summary>
         protected abstract void Carry(ref TBody body, Row row, bool isAll);

@@ -91,7 +91,7 @@ namespace RigidBodyDynamics
 
         protected override TIntegrator Kept(int place) => _kept[place];
 
-        protected override void In(int place, TIntegrator body)
+        protected override void In(int place, ref TIntegrator body)
         {
             _now[place] = body;
             _preparedFor[place] = 0;
