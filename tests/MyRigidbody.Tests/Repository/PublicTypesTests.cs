@@ -11,7 +11,7 @@ public sealed class PublicTypesTests
     public void User_has_at_most_55_types_to_know()
     {
         TestContext.Out.WriteLine($"{Public.Length}: {string.Join(", ", Public.Select(type => type.Name).Order(StringComparer.Ordinal))}");
-        Assert.That(Public, Has.Length.LessThanOrEqualTo(55)); // measured 54
+        Assert.That(Public, Has.Length.LessThanOrEqualTo(55)); // measured 55
     }
 
     [Test]
