@@ -74,6 +74,23 @@ namespace RigidBodyDynamics.Scripts.Tests.Headless
         }
 
         [Test]
+        public void Principal_axes_may_lie_across_the_body_and_change_while_it_turns()
+        {
+            Frames(20);
+            Body.inertiaTensorRotation = new Quaternion(0.3f, -0.2f, 0.5f, 0.76f);
+            Body.inertiaTensor = new Vector3(0.09f, 0.05f, 0.07f);
+            MassProperties across = MassProperties.FromPrincipal(
+                1, Body.inertiaTensor.Double(), Body.inertiaTensorRotation.Double().Normalized, Vector3d.Zero);
+            FreeMotion free = new FreeMotion(new BodyDescription("slab", across)
+            {
+                Start = new BodyState(Vector3d.Zero, Exact.Orientation, Vector3d.Zero, Exact.AngularVelocity),
+            });
+            Frames(500);
+
+            Assert.That(Angle(free.At(500 * Dt)), Is.LessThan(5e-7)); // measured 1.2e-7
+        }
+
+        [Test]
         public void What_a_script_sets_is_the_true_angular_velocity_from_then_on()
         {
             Frames(77);
