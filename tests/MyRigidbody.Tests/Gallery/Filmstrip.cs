@@ -14,10 +14,9 @@ internal sealed class Filmstrip
     // a body that would be smaller than this part of a frame is drawn larger
     private const double Smallest = 0.24;
     private static readonly string[] Colors = ["#1f5fa8", "#c8550a"];
-    private static readonly (int[] Corners, int Axis, int Side)[] Faces =
-    [
-        ([0, 2, 6, 4], 0, -1), ([1, 5, 7, 3], 0, 1), ([0, 4, 5, 1], 1, -1), ([2, 3, 7, 6], 1, 1), ([0, 1, 3, 2], 2, -1), ([4, 6, 7, 5], 2, 1),
-    ];
+
+    // the corners of each side of a box, in the order that turns about its outward normal
+    private static readonly int[][] Sides = [[0, 4, 6, 2], [1, 3, 7, 5], [0, 1, 5, 4], [2, 6, 7, 3], [0, 2, 3, 1], [4, 5, 7, 6]];
 
     // looked at from the front, a little from the right and above; Unity's z points away from the eye
     private static readonly (double Sin, double Cos) Turn = (0.38, 0.925), Tilt = (0.3, 0.954);
@@ -31,7 +30,7 @@ internal sealed class Filmstrip
         SceneFile file = SceneReader.Read(path);
         JsonNode root = JsonNode.Parse(File.ReadAllText(path), null, new JsonDocumentOptions { AllowTrailingCommas = true, CommentHandling = JsonCommentHandling.Skip })!;
         Simulation simulation = new(file.Scene);
-        _bodies.AddRange(file.Scene.Bodies.Select((body, i) => new Body(body.Name, body.Mass.CenterOfMass, [.. Boxes(root["bodies"]![i]!["inertia"]!)])));
+        _bodies.AddRange(file.Scene.Bodies.Select((body, i) => new Body(body.Name, body.Mass.CenterOfMass, [.. Faces(root["bodies"]![i]!["inertia"]!, Path.GetDirectoryName(path)!)])));
         long count = file.Scene.Steps.Count;
         for (long step = 0; step <= count; step++)
         {
@@ -106,22 +105,16 @@ internal sealed class Filmstrip
     {
         Vector3d centre = body.Centre(state);
         Quaterniond turn = state.Orientation.Normalized;
-        foreach (Box box in body.Boxes.OrderByDescending(box => Flat(turn.Rotate(box.Position)).Depth))
+        foreach (Face face in body.Faces.OrderByDescending(face => Flat(turn.Rotate(face.Middle)).Depth))
         {
-            Quaterniond axes = turn * box.Turn;
-            Vector3d middle = centre + _larger * turn.Rotate(box.Position - body.CenterOfMass);
-            foreach ((int[] corners, int axis, int side) in Faces)
-            {
-                Vector3d normal = axes.Rotate(side * new Vector3d(axis == 0 ? 1 : 0, axis == 1 ? 1 : 0, axis == 2 ? 1 : 0));
-                if (Flat(normal).Depth >= 0)
-                    continue;
+            Vector3d normal = turn.Rotate(face.Normal);
+            if (Flat(normal).Depth >= 0)
+                continue;
 
-                string points = string.Join(' ', corners.Select(corner => Point(middle + 0.5 * _larger * axes.Rotate(new Vector3d(
-                    (corner & 1) == 0 ? -box.Edges.X : box.Edges.X, (corner & 2) == 0 ? -box.Edges.Y : box.Edges.Y, (corner & 4) == 0 ? -box.Edges.Z : box.Edges.Z)))));
-                double shade = 0.15 + 0.15 * Vector3d.Dot(normal, new Vector3d(0.36, -0.8, 0.48));
-                Line($"<polygon points=\"{points}\" fill=\"{color}\" stroke=\"#1c1d1f\" stroke-width=\"0.5\" stroke-opacity=\"0.6\" stroke-linejoin=\"round\"/>");
-                Line($"<polygon points=\"{points}\" fill=\"{(shade > 0.15 ? "#000000" : "#ffffff")}\" fill-opacity=\"{Math.Abs(shade - 0.15) * 1.8:f2}\"/>");
-            }
+            string points = string.Join(' ', face.Corners.Select(corner => Point(centre + _larger * turn.Rotate(corner - body.CenterOfMass))));
+            double shade = 0.27 * Vector3d.Dot(normal, new Vector3d(0.36, -0.8, 0.48));
+            Line($"<polygon points=\"{points}\" fill=\"{color}\" stroke=\"#1c1d1f\" stroke-width=\"0.5\" stroke-opacity=\"{(body.Faces.Length > 100 ? 0.15 : 0.6)}\" stroke-linejoin=\"round\"/>");
+            Line($"<polygon points=\"{points}\" fill=\"{(shade > 0 ? "#000000" : "#ffffff")}\" fill-opacity=\"{Math.Abs(shade):f2}\"/>");
         }
     }
 
@@ -139,30 +132,54 @@ internal sealed class Filmstrip
 
     private void Line(FormattableString text) => _svg.Append(text.ToString(CultureInfo.InvariantCulture)).Append('\n');
 
-    /// <summary>What an inertia looks like: boxes, and cylinders as square bars.</summary>
-    private static IEnumerable<Box> Boxes(JsonNode inertia)
+    /// <summary>What an inertia looks like: boxes, cylinders as square bars, meshes as they are.</summary>
+    private static IEnumerable<Face> Faces(JsonNode inertia, string folder)
     {
         if (inertia["compound"] is JsonArray parts)
-            return parts.SelectMany(part => Boxes(part!["inertia"]!).Select(box => box with { Position = part["position"] is JsonNode at ? Vector(at) : Vector3d.Zero }));
+            return parts.SelectMany(part => Faces(part!["inertia"]!, folder).Select(face => face.Moved(part["position"] is JsonNode at ? Vector(at) : Vector3d.Zero)));
+
+        if (inertia["mesh"] is JsonNode mesh)
+            return OfMesh(File.ReadAllLines(Path.Combine(folder, mesh.GetValue<string>())), Vector(inertia["scale"]!));
 
         if (inertia["solidCylinder"] is JsonNode cylinder)
         {
             double thick = 2 * cylinder["radius"]!.GetValue<double>();
-            return [new Box(Vector3d.Zero, Quaterniond.Identity, new Vector3d(thick, cylinder["height"]!.GetValue<double>(), thick))];
+            return OfBox(new Vector3d(thick, cylinder["height"]!.GetValue<double>(), thick));
         }
 
-        return [new Box(Vector3d.Zero, Quaterniond.Identity, Vector(inertia["solidBox"] ?? inertia["boxVertices"]!))];
+        return OfBox(Vector(inertia["solidBox"] ?? inertia["boxVertices"]!));
+    }
+
+    private static IEnumerable<Face> OfBox(Vector3d edges) => Sides.Select(side => new Face([.. side.Select(corner => 0.5 * new Vector3d(
+        (corner & 1) == 0 ? -edges.X : edges.X, (corner & 2) == 0 ? -edges.Y : edges.Y, (corner & 4) == 0 ? -edges.Z : edges.Z))]));
+
+    private static IEnumerable<Face> OfMesh(string[] lines, Vector3d scale)
+    {
+        string[][] words = [.. lines.Select(line => line.Split(' ', StringSplitOptions.RemoveEmptyEntries))];
+        Vector3d[] points = [.. words.Where(word => word is ["v", ..]).Select(word => Vector3d.Scale(scale, new Vector3d(Number(word[1]), Number(word[2]), Number(word[3]))))];
+        return words.Where(word => word is ["f", ..]).Select(word => new Face([.. word.Skip(1).Select(corner => points[int.Parse(corner.Split('/')[0], CultureInfo.InvariantCulture) - 1])]));
+
+        static double Number(string word) => double.Parse(word, CultureInfo.InvariantCulture);
     }
 
     private static Vector3d Vector(JsonNode list) => new(list[0]!.GetValue<double>(), list[1]!.GetValue<double>(), list[2]!.GetValue<double>());
 
-    private sealed record Box(Vector3d Position, Quaterniond Turn, Vector3d Edges);
+    private sealed record Face(Vector3d[] Corners)
+    {
+        public Vector3d Middle => Corners.Aggregate(Vector3d.Zero, (sum, corner) => sum + corner) / Corners.Length;
 
-    private sealed record Body(string Name, Vector3d CenterOfMass, Box[] Boxes)
+        // Newell's sum: three corners of a side may be on a line
+        public Vector3d Normal { get; } = Corners.Zip(Corners.Skip(1).Append(Corners[0]), (a, b) => Vector3d.Cross(a - Corners[0], b - Corners[0]))
+            .Aggregate(Vector3d.Zero, (sum, part) => sum + part) is var twice ? twice / twice.Length : Vector3d.Zero;
+
+        public Face Moved(Vector3d by) => new([.. Corners.Select(corner => corner + by)]);
+    }
+
+    private sealed record Body(string Name, Vector3d CenterOfMass, Face[] Faces)
     {
         public List<BodyState> States { get; } = [];
 
-        public double Size => 2 * Boxes.Max(box => (box.Position - CenterOfMass).Length + 0.5 * box.Edges.Length);
+        public double Size => 2 * Faces.SelectMany(face => face.Corners).Max(corner => (corner - CenterOfMass).Length);
 
         public Vector3d Centre(in BodyState state) => state.Position + state.Orientation.Normalized.Rotate(CenterOfMass);
     }

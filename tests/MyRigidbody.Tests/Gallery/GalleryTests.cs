@@ -8,7 +8,7 @@ namespace RigidBodyDynamics.Tests;
 /// <summary>What the scenes of the gallery show is true, and their pictures are of them.</summary>
 public sealed class GalleryTests
 {
-    private static readonly string[] Pictured = ["thruster", "locked-door", "rocket", "hammer", "homework"];
+    private static readonly string[] Pictured = ["thruster", "locked-door", "rocket", "hammer", "t-handle", "homework"];
 
     [TestCaseSource(nameof(Pictured))]
     public void Picture_on_the_page_is_of_the_scene(string scene)
