@@ -7,7 +7,7 @@ namespace RigidBodyDynamics
 {
     internal partial struct LabEuler : IRuleInLanes
     {
-        Crowd IRuleInLanes.InLanes(BodyDescription body) => new LabCrowd(body);
+        Crowd IRuleInLanes.InLanes(BodyDescription body) => body.Lab.FirstOrderOrientation ? new LabCrowd(body) : null;
 
         private sealed class LabCrowd : LaneCrowd<LabEuler, LabLanes>
         {

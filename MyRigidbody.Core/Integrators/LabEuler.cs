@@ -82,7 +82,11 @@ namespace RigidBodyDynamics
             // 4. orientation: q = q + [0, ½ Δt ω] · q, then back to length 1
             if (_canTurn)
             {
-                q = q + new Quaterniond(0, 0.5 * dt * w) * q;
+                if (_lab.FirstOrderOrientation)
+                    q = q + new Quaterniond(0, 0.5 * dt * w) * q;
+                else
+                    q = q + SmallTurn.Of(w, w.Length, dt) * q;
+
                 q = _lab.Normalise ? q.Normalized : q;
             }
 

@@ -9,9 +9,16 @@ namespace RigidBodyDynamics
         /// <summary>Where q is not kept at length 1: make R from a copy that is.</summary>
         public bool UnitRotation { get; set; }
 
-        /// <summary>The same settings, to be changed by themselves.</summary>
-        public LabSettings Copy() => new LabSettings { Normalise = Normalise, UnitRotation = UnitRotation };
+        /// <summary>
+        /// q + [0, ½ Δt ω] q, as the sheet has it, which turns by 2 atan(ω Δt / 2). False: the whole angle ω Δt, as
+        /// scripts do that turn by <c>Quaternion.AngleAxis</c>.
+        /// </summary>
+        public bool FirstOrderOrientation { get; set; } = true;
 
-        internal bool IsLike(LabSettings other) => Normalise == other.Normalise && UnitRotation == other.UnitRotation;
+        /// <summary>The same settings, to be changed by themselves.</summary>
+        public LabSettings Copy() => (LabSettings)MemberwiseClone();
+
+        internal bool IsLike(LabSettings other) =>
+            Normalise == other.Normalise && UnitRotation == other.UnitRotation && FirstOrderOrientation == other.FirstOrderOrientation;
     }
 }

@@ -159,6 +159,16 @@ namespace RigidBodyDynamics
         internal override TResult Use<TResult>(BodyDescription body, IRuleUse<TResult> use) => use.With<TIntegrator>();
     }
 
+    /// <summary>A rule that follows the lab's sheet, but for what a body asks to be otherwise.</summary>
+    internal sealed class LabRule<TIntegrator> : Rule where TIntegrator : struct, IIntegrator
+    {
+        public LabRule(string name, string about) : base(name, 1, Keeps.AngularVelocity, Cost.LikeTheLab, about) { }
+
+        internal override string Settings(BodyDescription body) => body.Lab.FirstOrderOrientation ? null : "turned by the whole angle ω Δt";
+
+        internal override TResult Use<TResult>(BodyDescription body, IRuleUse<TResult> use) => use.With<TIntegrator>();
+    }
+
     /// <summary>The rule that is chosen by the body's own precision.</summary>
     internal sealed class UnityRule : Rule
     {
@@ -169,11 +179,12 @@ namespace RigidBodyDynamics
 
         internal override string Settings(BodyDescription body) => string.Format(
             CultureInfo.InvariantCulture,
-            "drag {0:R} /s, angularDrag {1:R} /s, limit {2:R} rad/s, sleep below {3:R} J/kg of the velocity summed over 0.2 s",
+            "drag {0:R} /s, angularDrag {1:R} /s, limit {2:R} rad/s, sleep below {3:R} J/kg of the velocity summed over 0.2 s{4}",
             body.Unity.Drag,
             body.Unity.AngularDrag,
             body.Unity.MaxAngularVelocity,
-            body.Unity.SleepThreshold);
+            body.Unity.SleepThreshold,
+            body.Unity.FirstOrderOrientation ? ", turned by q + [0, ½Δt ω] q" : string.Empty);
 
         // a force wakes it
         internal override bool CoastsUnderForces => false;

@@ -14,12 +14,12 @@ namespace RigidBodyDynamics
         private static readonly List<Rule> List = new List<Rule>();
 
         /// <summary>Formula 3.3 as printed.</summary>
-        public static Rule ExplicitEuler { get; } = Listed<ExplicitEuler>(
-            "ExplicitEuler", 1, Keeps.AngularVelocity, Cost.LikeTheLab, "formula 3.3 as printed: x moves on with the old velocity");
+        public static Rule ExplicitEuler { get; } = Listed(new LabRule<ExplicitEuler>(
+            "ExplicitEuler", "formula 3.3 as printed: x moves on with the old velocity"));
 
         /// <summary>The lab's own.</summary>
-        public static Rule LabEuler { get; } = Listed<LabEuler>(
-            "LabEuler", 1, Keeps.AngularVelocity, Cost.LikeTheLab, "the lab's five steps, in the order of its script");
+        public static Rule LabEuler { get; } = Listed(new LabRule<LabEuler>(
+            "LabEuler", "the lab's five steps, in the order of its script"));
 
         /// <summary>Unity's own body.</summary>
         public static Rule UnityRigidbody { get; } = Listed(new UnityRule(

@@ -31,6 +31,8 @@ internal static class Phrases
             (@"^rotation by (\w+)", "按 $1 转动"),
             (@" \(no gyroscopic term\)$", "（无陀螺项）"),
             ("^no rotation$", "不转动"),
+            ("^turned by the whole angle ω Δt$", "按整个角度 ω Δt 转动"),
+            (@", turned by q \+ \[0, ½Δt ω\] q$", "，用 q + [0, ½Δt ω] q 转动"),
             (@"^drag (\S+) /s, angularDrag (\S+) /s, limit (\S+) rad/s, sleep below (\S+) J/kg of the velocity summed over 0\.2 s$",
                 "drag $1 /s，angularDrag $2 /s，角速度上限 $3 rad/s，0.2 s 内速度之和低于 $4 J/kg 时休眠"),
 

@@ -96,6 +96,7 @@ internal static class BodyReader
     {
         LabSettings lab = new();
         lab.Normalise = fields.Or("normalise", lab.Normalise, place => place.Flag());
+        lab.FirstOrderOrientation = fields.Or("firstOrderOrientation", lab.FirstOrderOrientation, place => place.Flag());
         lab.UnitRotation = fields.Or("unitRotation", lab.UnitRotation, place => place.Flag());
         fields.End();
         return lab;
@@ -112,6 +113,7 @@ internal static class BodyReader
             unity.SleepThreshold = fields.Or("sleepThreshold", unity.SleepThreshold, place => place.Number());
             unity.WakeCounter = fields.Or("wakeCounter", unity.WakeCounter, place => place.Number());
             unity.GyroscopicForces = fields.Or("gyroscopicForces", unity.GyroscopicForces, place => place.Flag());
+            unity.FirstOrderOrientation = fields.Or("firstOrderOrientation", unity.FirstOrderOrientation, place => place.Flag());
             unity.InDouble = fields.Or("precision", 0, place => place.OneOf("single", "double")) == 1;
             fields.End();
             return unity;

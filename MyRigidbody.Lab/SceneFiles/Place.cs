@@ -113,12 +113,12 @@ internal readonly record struct Place(string File, Fields? Above, string Name, J
     public Fields Fields() => new(this);
 
     /// <summary>Finds what is wrong with a body as a whole.</summary>
-    public void Check(BodyDescription body, TimeSteps steps) => Make(() =>
+    public void Check(BodyDescription body, TimeSteps steps, IReadOnlyDictionary<string, string>? called = null) => Make(() =>
     {
         body.Check();
         // what its rule refuses, and a mass that does not last; a simulation with all its effects would be much larger than the file
         return new Simulation(steps, OfMass(body));
-    });
+    }, called);
 
     /// <summary>The same body under nothing but what changes its mass, each in its place among the effects.</summary>
     private static BodyDescription OfMass(BodyDescription body)
@@ -141,7 +141,9 @@ internal readonly record struct Place(string File, Fields? Above, string Name, J
     });
 
     /// <summary>Makes something of what stands here; what the library refuses is an error of this place.</summary>
-    public T Make<T>(Func<T> make)
+    /// <param name="make">What makes it.</param>
+    /// <param name="called">The names of fields that are not those of the library's arguments.</param>
+    public T Make<T>(Func<T> make, IReadOnlyDictionary<string, string>? called = null)
     {
         try
         {
@@ -152,7 +154,8 @@ internal readonly record struct Place(string File, Fields? Above, string Name, J
             // the library says "argument: rule, found value"; the argument may be a field of this object, or one beside it
             string name = refused.ParamName ?? string.Empty;
             string rule = refused.Message.StartsWith(name + ": ", StringComparison.Ordinal) ? refused.Message[(name.Length + 2)..] : refused.Message;
-            string field = name.Split('[')[0];
+            string argument = name.Split('[')[0], field = called?.GetValueOrDefault(argument) ?? argument;
+            name = field + name[argument.Length..];
             Place? found = Has(this, field) ? new Place(File, Fields(), name, Value)
                 : Above is Fields beside && Has(beside.Place, field) ? new Place(File, beside, name, Value) : null;
             throw (found ?? this).Wrong(rule);

@@ -74,7 +74,7 @@ internal sealed record Recording(string Path, IReadOnlyList<float[]> Rows, bool 
             ReadOnlySpan<char> cell = line.AsSpan(range);
             if (i >= 0 && !(float.TryParse(cell, NumberStyles.Float, CultureInfo.InvariantCulture, out row[i]) && float.IsFinite(row[i])))
             {
-                throw new InputException($"{path}: line {number}: must be finite numbers, found {Place.Shown(cell.ToString())}");
+                throw new InputException($"{path}: line {number}: must be finite numbers, found {Place.Shown(cell.ToString())} as {Header.Split(',')[i + 2]}");
             }
 
             i++;

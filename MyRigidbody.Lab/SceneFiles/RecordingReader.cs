@@ -3,6 +3,20 @@ namespace RigidBodyDynamics.Lab;
 /// <summary>Reads a recording: one body that moves by UnityRigidbody, or by LabEuler where a script was recorded, with a force and a torque for every step.</summary>
 internal static class RecordingReader
 {
+    // what Unity calls the library's arguments
+    private static readonly Dictionary<string, string> Called = new()
+    {
+        ["1 / mass"] = "mass",
+        ["principal"] = "inertiaTensor",
+        ["1 / principal"] = "inertiaTensor",
+        ["frame"] = "inertiaTensorRotation",
+        ["orientation"] = "rotation",
+        ["velocity"] = "linearVelocity",
+        ["drag"] = "linearDamping",
+        ["angularDrag"] = "angularDamping",
+        ["edges"] = "boxVertices",
+    };
+
     /// <summary>The recording as a scene. Every number is read in single precision, as the engine received it.</summary>
     public static SceneFile Read(Place root)
     {
@@ -25,7 +39,7 @@ internal static class RecordingReader
         }
 
         fields.End();
-        root.Check(body, steps);
+        root.Check(body, steps, Called);
         SceneDescription scene = new(name, about, steps, [body]);
         return new SceneFile(root.File, scene, new Dictionary<string, ManyBodies>(), new Dictionary<string, MassProperties>(), Recording.Beside(root.File, count));
     }
@@ -43,7 +57,7 @@ internal static class RecordingReader
         TimeSteps steps = dt.Make(() => TimeSteps.Of(lengths));
         double mass = Number(fields, "mass");
         Vector3d edges = Vector(fields, "boxVertices");
-        MassProperties properties = fields.Place.Make(() => PointMasses.BoxVertices(mass, edges));
+        MassProperties properties = fields.Place.Make(() => PointMasses.BoxVertices(mass, edges), Called);
         BodyDescription body = fields.Place.Make(() => new BodyDescription(name, properties));
         body.Rule = Rules.LabEuler;
         body.Start = new BodyState(Vector(fields, "position"), Turn(fields, "rotation"), Vector3d.Zero, Vector3d.Zero);
@@ -51,7 +65,7 @@ internal static class RecordingReader
         double factor = decay.Single();
         decay.Make(() => body.With(new DecayPerStep(factor, factor)));
         fields.End();
-        root.Check(body, steps);
+        root.Check(body, steps, Called);
         SceneDescription scene = new(name, about, steps, [body]);
         Recording recording = Recording.Beside(root.File, count) with { IsOfScript = true };
         Dictionary<string, MassProperties> solidBoxes = new() { [name] = Solids.Box(mass, edges) };
@@ -64,7 +78,7 @@ internal static class RecordingReader
         Vector3d moments = UnitySettings.Moments(Vector(fields, "inertiaTensor"), out Locks frozen), center = Vector(fields, "centerOfMass");
         Quaterniond frame = Turn(fields, "inertiaTensorRotation");
         Locks locked = frozen | (fields.Optional("lock") is Place locks ? BodyReader.Locked(locks.Fields()) : Locks.None);
-        MassProperties properties = fields.Place.Make(() => MassProperties.FromPrincipal(mass, moments, frame, center));
+        MassProperties properties = fields.Place.Make(() => MassProperties.FromPrincipal(mass, OfSingle(moments), frame, center), Called);
         BodyDescription body = fields.Place.Make(() => new BodyDescription(name, properties));
         body.Rule = Rules.UnityRigidbody;
         body.Lock = locked;
@@ -81,8 +95,22 @@ internal static class RecordingReader
             SleepThreshold = Number(fields, "sleepThreshold"),
             WakeCounter = Number(fields, "wakeCounter"),
             GyroscopicForces = fields.Required("gyroscopicForces").Flag(),
-        });
+        }, Called);
         return body;
+    }
+
+    /// <summary>The moments of a flat body, one the sum of the others, may miss that by their roundings to single precision: the nearest that round to the same.</summary>
+    private static Vector3d OfSingle(Vector3d moments)
+    {
+        const double Rounding = 1.0 / (1 << 24);
+        Vector3d off = Rounding * moments;
+        if (!(off.X > 0 && off.Y > 0 && off.Z > 0))
+        {
+            return moments;
+        }
+
+        Vector3d nearest = MassProperties.NearestPossible(moments, off);
+        return Math.Abs(nearest.X - moments.X) <= off.X ? nearest : moments;
     }
 
     private static double Number(Fields fields, string name) => fields.Required(name).Single();

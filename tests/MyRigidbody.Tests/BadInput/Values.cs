@@ -39,6 +39,8 @@ internal static class Values
             _ when type == typeof(IPush) => new Force(vector),
             _ when type == typeof(IReadOnlyList<double>) => new[] { 0.5, 0.5, 0.5, 0.5 },
             _ when type == typeof(IReadOnlyList<Vector3d>) => new[] { Vector3d.Zero, new(1, 0, 0), new(0, 1, 0), new(0, 0, 1) },
+            // the tetrahedron of those vertices
+            _ when type == typeof(IReadOnlyList<int>) => new[] { 0, 2, 1, 0, 1, 3, 0, 3, 2, 1, 2, 3 },
             _ when type == typeof(IReadOnlyList<BodyState>) => new[] { BodyState.AtRest },
             _ when type == typeof(Explanation) => new Explanation((Body)Sound(typeof(Body))),
             _ when type == typeof(Rule) => Rules.Default,
@@ -70,6 +72,7 @@ internal static class Values
             _ when type == typeof(BodyState) => [default(BodyState), .. Numbers.Select(x => (object)new BodyState(Vector3d.Zero, Quaterniond.Identity, new Vector3d(x, 0, 0), Vector3d.Zero))],
             _ when type == typeof(IReadOnlyList<double>) => [Array.Empty<double>(), .. Numbers.Select(x => (object)new[] { 0.5, x, 0.5, 0.5 })],
             _ when type == typeof(IReadOnlyList<Vector3d>) => [Array.Empty<Vector3d>(), .. Numbers.Select(x => (object)new[] { Vector3d.Zero, new(1, 0, 0), new(0, 1, x), new(0, 0, 1) })],
+            _ when type == typeof(IReadOnlyList<int>) => [Array.Empty<int>(), new[] { 0, 1 }, new[] { 0, 1, 4 }, new[] { 0, -1, 2 }, new[] { 0, 1, 2 }],
             _ when type == typeof(BodyDescription[]) || type == typeof(IReadOnlyList<BodyDescription>) => [Array.Empty<BodyDescription>(), new BodyDescription[1]],
             _ when type == typeof(IReadOnlyList<BodyState>) => [Array.Empty<BodyState>(), new BodyState[1]],
             _ when type.IsEnum => [Enum.ToObject(type, 99)],

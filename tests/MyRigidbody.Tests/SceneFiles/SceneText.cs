@@ -18,7 +18,7 @@ internal static class SceneText
           "bodies": [
             { "name": "a", "integrator": "LabEuler", "mass": 2, "inertia": { "boxVertices": [1, 2, 3] }, "centerOfMass": [0.1, 0, 0],
               "position": [1, 2, 3], "orientation": [1, 0, 0, 1], "velocity": [1, 0, 0], "angularVelocity": [0, 1, 0],
-              "canMove": true, "canTurn": true, "lab": { "normalise": true, "unitRotation": true },
+              "canMove": true, "canTurn": true, "lab": { "normalise": true, "firstOrderOrientation": true, "unitRotation": true },
               "effects": [
                 { "gravity": [0, -9.81, 0], "from": 0, "to": 0.25 }, { "force": [1, 0, 0] }, { "key": "UpArrow", "from": 0.1 },
                 { "torque": { "frame": "body", "constant": [1, 0, 0], "sin": [0, 1, 0], "cos": [0, 0, 1], "rate": 2 } },
@@ -30,7 +30,7 @@ internal static class SceneText
               ] },
             { "name": "b", "integrator": "UnityRigidbody", "inertia": { "principal": [1, 2, 3], "frame": [1, 1, 0, 0] }, "angularVelocityBody": [1, 2, 3],
               "unity": { "drag": 0.1, "angularDrag": 0.2, "maxAngularVelocity": 9, "sleepThreshold": 0.01, "wakeCounter": 0.2,
-                         "gyroscopicForces": true, "precision": "double" } },
+                         "gyroscopicForces": true, "firstOrderOrientation": true, "precision": "double" } },
             { "name": "c", "inertia": { "solidSphere": 0.5 }, "count": 3, "seed": 7,
               "spread": { "position": [1, 2, 3], "orientation": 0.5, "velocity": [1, 1, 1], "angularVelocity": [1, 2, 1] } },
             { "name": "d", "inertia": { "solidBox": [1, 1, 2] }, "lock": { "move": "xz", "turn": "y" } },
