@@ -1,4 +1,5 @@
 using System.Text;
+using System.Text.Json;
 using NUnit.Framework;
 using RigidBodyDynamics.Lab.Package;
 using RigidBodyDynamics.Tests.CommandLine;
@@ -37,6 +38,24 @@ public sealed class PackageCompileTests
         Assert.That(compiler.Homeless, Is.Empty);
         foreach (string assembly in compiler.Assemblies)
             Assert.That(compiler.Complaints(assembly), Is.Empty, assembly);
+    }
+
+    [Test]
+    public void Samples_of_the_library_compile_where_it_is_in_the_project()
+    {
+        using JsonDocument manifest = JsonDocument.Parse(Tree.Text("MyRigidbody.Core/package.json"));
+        Asset like = Unpacked().First(asset => asset.Path.EndsWith("Scripts/ToUnity.cs", StringComparison.Ordinal));
+        foreach (JsonElement sample in manifest.RootElement.GetProperty("samples").EnumerateArray())
+        {
+            string[] scripts = Tree.Files("MyRigidbody.Core/" + sample.GetProperty("path").GetString(), "*.cs");
+            UnityCompiler compiler = new(
+                [.. Unpacked(), .. scripts.Select(path => like with { Path = "Assets/Samples/" + Path.GetFileName(path), Content = Encoding.UTF8.GetBytes(Tree.Text(path)) })],
+                [.. To2019, .. Old]);
+
+            Assert.That(scripts, Is.Not.Empty);
+            Assert.That(compiler.Homeless.Count(), Is.EqualTo(scripts.Length));
+            Assert.That(compiler.ComplaintsOfStudents(), Is.Empty);
+        }
     }
 
     [TestCase("public class A { public double Root = System.MathF.Sqrt(2); }", "CS0234")]

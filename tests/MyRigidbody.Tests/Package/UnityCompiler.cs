@@ -84,7 +84,14 @@ internal sealed class UnityCompiler
         return original is INamedTypeSymbol ? named : named + "." + original.Name;
     }
 
-    private CSharpCompilation Students() => Compilation("Assembly-CSharp", _assets.Where(asset => Homeless.Contains(asset.Path)), [.. Standard, _engine!]);
+    // it refers to every assembly of the game that does not forbid it
+    private CSharpCompilation Students() => Compilation(
+        "Assembly-CSharp",
+        _assets.Where(asset => Homeless.Contains(asset.Path)),
+        [.. Standard, _engine!, .. _definitions.Where(definition => IsForTheGame(definition.Value)).Select(definition => Compile(definition.Key))]);
+
+    private static bool IsForTheGame(JsonElement definition) =>
+        definition.GetProperty("autoReferenced").GetBoolean() && definition.GetProperty("includePlatforms").GetArrayLength() == 0;
 
     private CompilationReference Compile(string assembly)
     {

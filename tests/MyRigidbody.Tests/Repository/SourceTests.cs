@@ -7,7 +7,7 @@ namespace RigidBodyDynamics.Tests.Repository;
 /// <summary>What the sources promise about themselves, and no compiler checks.</summary>
 public sealed partial class SourceTests
 {
-    private static readonly string[] Core = Tree.Files("MyRigidbody.Core", "*.cs");
+    private static readonly string[] Core = [.. Tree.Files("MyRigidbody.Core", "*.cs").Where(path => !path.Contains("/Samples~/", StringComparison.Ordinal))];
     private static readonly string[] Tests = Tree.Files("tests/MyRigidbody.Tests", "*.cs");
     private static readonly string[] All = [.. Core, .. Tree.Files("MyRigidbody.Lab", "*.cs"), .. Tree.Files("tests", "*.cs")];
 
