@@ -102,7 +102,7 @@ namespace RigidBodyDynamics
 
         /// <summary>True if it is the plan of a body that starts at a step, too.</summary>
         internal bool HoldsFrom(long step) =>
-            (ChangesMass ? step == Stretches[0].First : step >= Stretches[0].First) && (!ChangesAfter(step) || Steps.Division.Equals(_division));
+            (ChangesMass ? step == Stretches[0].First : step >= Stretches[0].First) && (!ChangesAfter(step - 1) || Steps.Division.Equals(_division));
 
         /// <summary>True if an effect begins or ends after a step.</summary>
         internal bool ChangesAfter(long step) => Stretches[Stretches.Count - 1].First > step;

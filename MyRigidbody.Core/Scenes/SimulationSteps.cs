@@ -136,7 +136,7 @@ namespace RigidBodyDynamics
                 // effects begin and end by the number of a step, and steps start at other times now
                 foreach (Body body in _bodies)
                 {
-                    if (body.Plan.ChangesAfter(StepsDone))
+                    if (body.Plan.ChangesAfter(StepsDone - 1))
                     {
                         LoneMover last = Alone(body.Mover, body);
                         Plan(body, last.Plan.Asked, last.StateOf(body), last.Plan.MayLeaveOut);

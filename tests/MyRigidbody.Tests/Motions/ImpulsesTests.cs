@@ -161,6 +161,21 @@ public sealed class ImpulsesTests
     }
 
     [Test]
+    public void What_was_to_begin_with_the_next_step_waits_where_that_starts_too_early()
+    {
+        // at 0.01 s: step 1 of 0.02 s; after one of 0.005 s that is step 2
+        Simulation simulation = new(TimeSteps.Every(0.02));
+        Body hit = simulation.Add(new BodyDescription("b", Pushes.Mass).With(new Impulse(P), 0.01));
+        Body pushed = simulation.Add(new BodyDescription("c", Pushes.Mass).With(new Force(P), 0.01));
+        simulation.StepBy(0.005);
+        simulation.Step();
+        Assert.That(new[] { hit.State.Velocity, pushed.State.Velocity }, Is.All.EqualTo(Vector3d.Zero));
+        simulation.Step();
+        Assert.That(Apart(hit.State.Velocity, P / Pushes.Mass.Mass), Is.LessThan(1e-15)); // measured 0
+        Assert.That(Apart(pushed.State.Velocity, 0.02 * P / Pushes.Mass.Mass), Is.LessThan(1e-15)); // measured 0
+    }
+
+    [Test]
     public void Saved_before_it_a_body_gets_it_again()
     {
         Body body = Started(Scenery.Body("Exact").With(new Impulse(P, Turn, Point), 20 * H));
