@@ -23,6 +23,10 @@ namespace RigidBodyDynamics.Engine
 
         public static void Stop(Coroutine routine) => Running.Remove(routine);
 
+        /// <summary>By what it was started with; nothing where this script runs no such thing.</summary>
+        public static void Stop(MonoBehaviour owner, IEnumerator routine) =>
+            Running.RemoveAll(running => ReferenceEquals(running.Owner, owner) && ReferenceEquals(running.Routine, routine));
+
         public static void StopAll(MonoBehaviour owner) => Running.RemoveAll(routine => ReferenceEquals(routine.Owner, owner));
 
         public static void Reset() => Running.Clear();

@@ -76,6 +76,9 @@ namespace RigidBodyDynamics.Engine
         /// <summary>Adds an impulse, N s, which the next step gives to the body, however long it is.</summary>
         public void Kick(Vector3 impulse) => _impulse += impulse;
 
+        /// <summary>What was added since the last step does not act.</summary>
+        public void ForgetPushes() => _force = _torque = _impulse = Vector3.zero;
+
         public void WakeUp()
         {
             IsAsleep = false;
@@ -85,7 +88,8 @@ namespace RigidBodyDynamics.Engine
 
         public void Sleep()
         {
-            Velocity = AngularVelocity = _force = _torque = _impulse = Vector3.zero;
+            ForgetPushes();
+            Velocity = AngularVelocity = Vector3.zero;
             IsAsleep = true;
             _wakeCounter = 0;
             _isChanged = true;
@@ -106,7 +110,7 @@ namespace RigidBodyDynamics.Engine
             Pushed push = new Pushed((_force + _impulse * (1 / step)).Exact(), _torque.Exact());
             _rule.Prepare(step, coasting);
             _rule.Step(default(Instant), ref push);
-            _force = _torque = _impulse = Vector3.zero;
+            ForgetPushes();
 
             BodyState now = _rule.State;
             Position = now.Position.Rounded();

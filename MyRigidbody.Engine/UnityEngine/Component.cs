@@ -75,7 +75,7 @@ namespace UnityEngine
 
         public Coroutine StartCoroutine(string methodName, object value) => throw NotHere(nameof(StartCoroutine));
 
-        public void StopCoroutine(IEnumerator routine) { }
+        public void StopCoroutine(IEnumerator routine) => Coroutines.Stop(this, routine);
 
         public void StopCoroutine(Coroutine routine) => Coroutines.Stop(routine);
 

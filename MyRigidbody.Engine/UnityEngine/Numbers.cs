@@ -6,7 +6,7 @@ namespace UnityEngine
     /// <summary>How the engine writes the numbers of a value.</summary>
     internal static class Numbers
     {
-#if UNITY_2020_1_OR_NEWER || EVERY_UNITY
+#if UNITY_2021_2_OR_NEWER || EVERY_UNITY
         public const string OfVector = "F2", OfQuaternion = "F5";
 #else
         public const string OfVector = "F1", OfQuaternion = "F1";

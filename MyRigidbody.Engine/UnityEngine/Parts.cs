@@ -7,7 +7,9 @@ namespace UnityEngine
     /// <summary>Looks at the scene along its z axis.</summary>
     public sealed class Camera : Behaviour
     {
-        public static Camera main => World.Objects.Where(o => o.tag == "MainCamera").Select(o => o.GetComponent<Camera>()).FirstOrDefault(camera => camera != null);
+        /// <summary>The first that is switched on and has the tag MainCamera; null if there is none.</summary>
+        public static Camera main =>
+            World.Objects.Where(o => o.tag == "MainCamera").Select(o => o.GetComponent<Camera>()).FirstOrDefault(camera => camera != null && camera.isActiveAndEnabled);
 
         public float fieldOfView { get; set; } = 60;
 

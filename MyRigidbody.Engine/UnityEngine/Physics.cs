@@ -10,10 +10,14 @@ namespace UnityEngine
         public static float sleepThreshold { get; set; }
 
 #if UNITY_2022_2_OR_NEWER
+        private const string Refused = "simulation mode is not set to Script. You should set simulation mode to Script first";
+
         public static SimulationMode simulationMode { get; set; }
 
         internal static bool IsAutomatic => simulationMode == SimulationMode.FixedUpdate;
 #else
+        private const string Refused = "auto simulation is active. You should disable auto simulation first";
+
         public static bool autoSimulation { get; set; }
 
         internal static bool IsAutomatic => autoSimulation;
@@ -24,7 +28,7 @@ namespace UnityEngine
         {
             if (IsAutomatic)
             {
-                Debug.LogWarning("Physics.Simulate(...) was called but simulation mode is not set to Script. You should set simulation mode to Script first before calling this function therefore the simulation was not run.");
+                Debug.LogWarning("Physics.Simulate(...) was called but " + Refused + " before calling this function therefore the simulation was not run.");
                 return;
             }
 

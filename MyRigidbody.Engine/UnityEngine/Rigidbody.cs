@@ -99,10 +99,13 @@ namespace UnityEngine
         public float angularDrag { get => _angularDrag; set => Set(ref _angularDrag, value); }
 #endif
 
-        public void AddForce(Vector3 force) => _body.Push(force, Vector3.zero);
+        public void AddForce(Vector3 force) => AddForce(force, ForceMode.Force);
 
         public void AddForce(Vector3 force, ForceMode mode)
         {
+            if (!IsPushed)
+                return;
+
             Vector3 weighed = mode == ForceMode.Acceleration || mode == ForceMode.VelocityChange ? mass * force : force;
             if (mode == ForceMode.Impulse || mode == ForceMode.VelocityChange)
                 _body.Kick(weighed);
@@ -110,7 +113,11 @@ namespace UnityEngine
                 _body.Push(weighed, Vector3.zero);
         }
 
-        public void AddTorque(Vector3 torque) => _body.Push(Vector3.zero, torque);
+        public void AddTorque(Vector3 torque)
+        {
+            if (IsPushed)
+                _body.Push(Vector3.zero, torque);
+        }
 
         public void AddRelativeForce(Vector3 force) => AddForce(rotation * force);
 
@@ -139,7 +146,9 @@ namespace UnityEngine
         {
             // a script that has moved the object has moved the body
             _body.Follow(transform.position, transform.rotation);
-            if (!isKinematic)
+            if (isKinematic)
+                _body.ForgetPushes();
+            else
                 _body.Step(step, Describe(), useGravity ? Physics.gravity : Vector3.zero);
 
             transform.Place(_body.Position, _body.Rotation);
@@ -159,6 +168,9 @@ namespace UnityEngine
                 SleepThreshold = _sleepThreshold,
             },
         };
+
+        // a push on any other has no effect, and is not kept
+        private bool IsPushed => !isKinematic && gameObject.activeInHierarchy;
 
         // Unity's numbers are twice the library's
         private Locks Locked => (Locks)((int)_constraints / 2);

@@ -203,6 +203,41 @@ public sealed class ObjectTests
         Assert.That(() => _box.gameObject.AddComponent<Script>().StartCoroutine("Go"), Throws.TypeOf<NotSupportedException>().With.Message.Contains("StartCoroutine"));
 
     [Test]
+    public void A_coroutine_is_stopped_by_what_it_was_started_with()
+    {
+        int steps = 0;
+        System.Collections.IEnumerator routine = Count(() => steps++);
+        Script script = _box.gameObject.AddComponent<Script>();
+        script.StartCoroutine(routine);
+        Player.Frame(0.02);
+        script.StopCoroutine(Count(() => steps++));
+        Player.Frame(0.02);
+        script.StopCoroutine(routine);
+        Player.Frame(0.02);
+        Assert.That(steps, Is.EqualTo(3));
+    }
+
+    [Test]
+    public void The_main_camera_is_the_first_that_is_switched_on()
+    {
+        Camera first = new GameObject { tag = "MainCamera" }.AddComponent<Camera>(), second = new GameObject { tag = "MainCamera" }.AddComponent<Camera>();
+        Assert.That(Camera.main, Is.SameAs(first));
+        first.enabled = false;
+        Assert.That(Camera.main, Is.SameAs(second));
+        second.gameObject.SetActive(false);
+        Assert.That(Camera.main == null, Is.True);
+    }
+
+    private static System.Collections.IEnumerator Count(Action step)
+    {
+        while (true)
+        {
+            step();
+            yield return new WaitForFixedUpdate();
+        }
+    }
+
+    [Test]
     public void Random_numbers_are_the_same_in_every_world()
     {
         float first = UnityEngine.Random.value;

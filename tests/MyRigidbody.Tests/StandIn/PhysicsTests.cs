@@ -166,6 +166,25 @@ public sealed class PhysicsTests
     }
 
     [Test]
+    public void What_pushes_a_body_that_is_kinematic_or_not_active_has_no_effect()
+    {
+        _body.isKinematic = true;
+        _body.AddForce(Vector3.right, ForceMode.Impulse);
+        _body.AddTorque(Vector3.up);
+        _body.isKinematic = false;
+        _body.gameObject.SetActive(false);
+        _body.AddForce(Vector3.right);
+        _body.AddRelativeTorque(Vector3.up);
+        _body.gameObject.SetActive(true);
+        _body.AddForce(Vector3.right);
+        _body.isKinematic = true;
+        Physics.Simulate(Step);
+        _body.isKinematic = false;
+        Physics.Simulate(Step);
+        Assert.That((_body.velocity, _body.angularVelocity, _body.transform.position), Is.EqualTo((Vector3.zero, Vector3.zero, new Vector3(1, 2, 3))));
+    }
+
+    [Test]
     public void A_script_may_step_only_where_the_engine_does_not()
     {
         Physics.simulationMode = SimulationMode.FixedUpdate;
