@@ -74,8 +74,12 @@ public sealed class PackageCompileTests
 
     private static TestCaseData Case(string name, int version, string[] input)
     {
-        // what lies in between: 2021.2 brought .NET Standard 2.1, 2022.2 another way to step physics by a script
-        string[] between = [.. version > 1 ? (string[])["UNITY_2021_2_OR_NEWER", "NET_STANDARD", "NET_STANDARD_2_1"] : ["NET_STANDARD_2_0"], .. version > 2 ? (string[])["UNITY_2022_2_OR_NEWER"] : []];
+        // what lies in between: 2021.2 brought .NET Standard 2.1, 2022.2 another way to step physics by a script, 2023.1 made AssemblyBuilder obsolete
+        string[] between =
+        [
+            .. version > 1 ? (string[])["UNITY_2021_2_OR_NEWER", "NET_STANDARD", "NET_STANDARD_2_1"] : ["NET_STANDARD_2_0"],
+            .. version > 2 ? (string[])["UNITY_2022_2_OR_NEWER"] : [], .. version > 3 ? (string[])["UNITY_2023_1_OR_NEWER"] : [],
+        ];
         return new TestCaseData((object)(string[])[.. To2019, .. Later.Take(version), .. between, .. input]).SetArgDisplayNames(name);
     }
 

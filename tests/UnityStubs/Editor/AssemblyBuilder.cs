@@ -10,6 +10,9 @@ using RigidBodyDynamics.Engine;
 namespace UnityEditor.Compilation
 {
     /// <summary>Compiles scripts into an assembly beside the project's own, and says so when it is done; here at once.</summary>
+#if UNITY_2023_1_OR_NEWER
+    [Obsolete("as in Unity since 2023.1, which names no other class")]
+#endif
     public class AssemblyBuilder
     {
         private readonly string[] _scripts;

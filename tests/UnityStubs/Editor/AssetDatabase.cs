@@ -44,6 +44,9 @@ namespace UnityEditor
 
         public static string GetAssetPath(UnityEngine.Object assetObject) => ((MonoScript)assetObject).Path;
 
+#if UNITY_6000_6_OR_NEWER
+        [Obsolete("as in Unity since 6000.6, which has AssetPackage.Package.Export")]
+#endif
         public static void ExportPackage(string[] assetPathNames, string fileName, ExportPackageOptions flags) => Exported = (assetPathNames, fileName);
 
         private static string InAssets(string path) => Path.GetRelativePath(SceneLoader.InProject(string.Empty), path).Replace('\\', '/');

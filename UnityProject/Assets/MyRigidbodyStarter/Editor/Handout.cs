@@ -34,7 +34,9 @@ namespace RigidBodyDynamics.Starter
             string[] assets = AssetDatabase.FindAssets(string.Empty, new[] { Top }).Select(AssetDatabase.GUIDToAssetPath)
                 .Concat(new[] { AssetDatabase.GetAssetPath(script) })
                 .Where(path => !path.Contains("/Editor") && Path.GetExtension(path).Length > 0 && !path.EndsWith(".md", StringComparison.Ordinal)).Distinct().ToArray();
+#pragma warning disable CS0618 // obsolete since Unity 6000.6; what takes its place is in no version before
             AssetDatabase.ExportPackage(assets, file, ExportPackageOptions.Default);
+#pragma warning restore CS0618
             EditorUtility.RevealInFinder(file);
         }
     }

@@ -22,7 +22,9 @@ namespace RigidBodyDynamics.Starter
             Directory.CreateDirectory(Folder);
             string name = Folder + "/Check" + Guid.NewGuid().ToString("N"), keys = Folder + "/KeysAndClock.cs";
             File.WriteAllText(keys, KeysAndClock.Source);
+#pragma warning disable CS0618 // obsolete since Unity 2023.1, and nothing else of the editor's compiles beside the project
             AssemblyBuilder builder = new AssemblyBuilder(name + ".dll", script, keys);
+#pragma warning restore CS0618
             // other scripts of the student; of two classes with one name the one in the source is taken
             if (File.Exists(Own))
                 builder.additionalReferences = new[] { Own };
