@@ -8,8 +8,8 @@ namespace RigidBodyDynamics
         // every stretch of time holds its own sum, so memory goes with the square
         private const int MostEffects = 1000;
 
-        // of an angular velocity about a locked axis, that of the rest
-        private const double Rounded = 1e-12;
+        // of an angular velocity about a locked axis, that of the rest; as floats hold it, and as doubles do
+        private const double RoundedToSingle = 1e-5, Rounded = 1e-12, Denormal = 1e-30;
         private readonly List<Effect> _effects = new List<Effect>();
         private BodyState _start = BodyState.AtRest;
         private Vector3d? _inBody;
@@ -195,7 +195,8 @@ namespace RigidBodyDynamics
                 throw Guard.Refused("velocity", state.Velocity, "must be zero along the locked " + Lock.MoveNames());
 
             // in world axes it has been rounded
-            if ((left.AngularVelocity - state.AngularVelocity).Length > Rounded * state.AngularVelocity.Length)
+            double most = Rule.HoldsAxes ? RoundedToSingle * state.AngularVelocity.Length + Denormal : Rounded * state.AngularVelocity.Length;
+            if ((left.AngularVelocity - state.AngularVelocity).Length > most)
                 throw Guard.Refused("angularVelocity", state.AngularVelocity, "must be zero about the locked " + Lock.TurnNames());
         }
     }
