@@ -53,7 +53,7 @@ internal sealed record MeshFile(string Path, Vector3d[] Vertices, int[] Triangle
     /// <param name="factors">One for each axis, none zero.</param>
     public MeshFile Scaled(Vector3d factors)
     {
-        if (!(factors.X * factors.Y * factors.Z != 0) || !factors.IsFinite)
+        if (factors.X == 0 || factors.Y == 0 || factors.Z == 0 || !factors.IsFinite)
         {
             throw Guard.Refused("scale", factors, "must have three finite factors, none of them zero");
         }

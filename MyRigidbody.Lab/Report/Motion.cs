@@ -7,6 +7,7 @@ namespace RigidBodyDynamics.Lab.Report;
 internal sealed class Motion
 {
     private const int MostHeld = 12;
+    private const double ImpulseSeen = 0.05;
 
     private Motion(TimeSteps steps, int bodies)
     {
@@ -121,13 +122,14 @@ internal sealed class Motion
     private static MassProperties Shape(SceneFile file, BodyDescription body) =>
         file.SolidBoxes.GetValueOrDefault(body.Name, body.Mass);
 
-    /// <summary>Once each, keys first; what acts all the time is in the plan.</summary>
+    /// <summary>Once each, keys first; what acts all the time is in the plan. An impulse takes no time, and is seen for a part of the run.</summary>
     private static List<Held> HeldBy(IEnumerable<BodyDescription> bodies, TimeSteps steps)
     {
         double end = steps.StartOf(steps.Count);
         return [.. bodies.SelectMany(body => body.Effects)
             .Where(effect => effect.Motion is KeyPush || effect.From > 0 || effect.To < end)
-            .Select(effect => new Held(effect.Motion.ToString()!, effect.Motion is KeyPush, Math.Max(0, effect.From), Math.Min(end, effect.To)))
+            .Select(effect => new Held(
+                effect.Motion.ToString()!, effect.Motion is KeyPush, Math.Max(0, effect.From), Math.Min(end, effect.To + (effect.Motion is Impulse ? ImpulseSeen * end : 0))))
             .Distinct()
             .OrderBy(held => !held.IsKey)
             .Take(MostHeld)];

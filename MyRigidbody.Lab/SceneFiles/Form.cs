@@ -83,13 +83,17 @@ internal sealed class FilledForm(Place place) : Form
 
     public override Vector3d[] Vectors(string about, int least) => place.Items("a list of vectors", item => item.Vector());
 
-    public override T[] Parts<T>(string about, Func<Fields, T> read) => place.Items("a list of parts", item =>
+    public override T[] Parts<T>(string about, Func<Fields, T> read)
     {
-        Fields part = item.Fields();
-        T made = read(part);
-        part.End();
-        return made;
-    });
+        T[] parts = place.Items("a list of parts", item =>
+        {
+            Fields part = item.Fields();
+            T made = read(part);
+            part.End();
+            return made;
+        });
+        return parts.Length > 0 ? parts : throw place.Wrong("must have at least one part");
+    }
 
     public override T Mesh<T>(string about, Func<MeshFile, T> read)
     {

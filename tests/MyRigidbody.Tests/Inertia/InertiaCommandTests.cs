@@ -69,6 +69,18 @@ public sealed class InertiaCommandTests
         Assert.That(json.RootElement.GetProperty("bodies")[0].GetProperty("mass").GetDouble(), Is.EqualTo(2700 * 6e-6).Within(1e-17));
     }
 
+    [TestCase("1e-200")]
+    [TestCase("1e300")]
+    public void Mesh_without_a_volume_in_double_precision_is_refused_in_one_line(string scale)
+    {
+        using TemporaryFolder folder = new();
+        File.WriteAllText(folder.File("block.obj"), MeshText.Obj(Surface.Box(new Vector3d(10, 20, 30))));
+        LabProcess run = LabProcess.Run(folder.Path, "inertia", "block.obj", "--scale", scale);
+
+        Assert.That((run.ExitCode, run.Output), Is.EqualTo((2, string.Empty)));
+        Assert.That(run.Error, Does.Match("^error: block\\.obj: [^\n]+\n$"));
+    }
+
     private static readonly TestCaseData[] Refused =
     [
         Refuse("a.urdf", "", "a.urdf: Root element is missing."),

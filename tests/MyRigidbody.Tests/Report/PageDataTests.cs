@@ -46,6 +46,15 @@ public sealed class PageDataTests
     }
 
     [Test]
+    public void Impulse_is_seen_for_a_moment_though_it_takes_no_time()
+    {
+        string[] held = [.. Parsed.Compared("locked-door.json").Data.GetProperty("held").EnumerateArray().Select(push =>
+            $"{push.GetProperty("en").GetString()} {push.GetProperty("from").GetDouble()} {push.GetProperty("to").GetDouble()}")];
+
+        Assert.That(held, Is.EqualTo(new[] { "impulse (0, 0, 10) N s at (0.8, 1, 0) m of the body 1 1.25" }));
+    }
+
+    [Test]
     public void Boxes_have_the_edges_of_the_scene()
     {
         Parsed lab = Parsed.Compared("lab-box.json"), run = Parsed.Ran("x", 0.1, 5, "x");
