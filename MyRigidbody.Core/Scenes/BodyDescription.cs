@@ -160,8 +160,8 @@ namespace RigidBodyDynamics
         /// <summary>Refuses, by name and value, what only shows when all has been said. A simulation does so before it begins.</summary>
         public void Check()
         {
-            Check(Start);
             CheckAllElse();
+            Check(Start);
         }
 
         /// <summary>The same of all but its start.</summary>

@@ -20,6 +20,10 @@ internal sealed class CoreCompilation
         foreach (string path in Directory.EnumerateFiles(core, "*.cs", SearchOption.AllDirectories).Order(StringComparer.Ordinal))
         {
             string file = Path.GetRelativePath(core, path).Replace('\\', '/');
+            // folders of that ending are for Unity's package manager alone
+            if (file.Contains("~/", StringComparison.Ordinal))
+                continue;
+
             _trees.Add(file, CSharpSyntaxTree.ParseText(SourceText.From(File.ReadAllText(path)), asUnity, file));
         }
 
