@@ -8,7 +8,7 @@ internal static class PageWriter
     private const string Plotting = "Plotly.NET", PlottingScript = ".min.js";
 
     // in this order; each of our own adds to window.report
-    private static readonly string[] Scripts = ["page.js", "solid.js", "motion.js", "stage.js", "replay.js", "plots.js", "cost.js"];
+    private static readonly string[] Scripts = ["page.js", "solid.js", "motion.js", "stage.js", "look.js", "replay.js", "plots.js", "cost.js"];
 
     private static readonly PageTemplate Template = new("report.liquid", Words.All);
 

@@ -53,7 +53,7 @@ public sealed class OtherPagesTests
         _browser.Open(Pages.Scene(folder, "long", 0.001, 1_000_000, "one"));
 
         Assert.That(_browser.Get<int>("report.data.times.length"), Is.InRange(1500, 3001));
-        Assert.That(_browser.Get<double>("report.end"), Is.EqualTo(1000));
+        Assert.That(_browser.Get<double>("report.motion.end"), Is.EqualTo(1000));
         Assert.That(_browser.Find(".thinned").Text, Does.Contain("1000000"));
     }
 

@@ -2,24 +2,42 @@
 
 // The motion: colours of the bodies, and the pose of each at any time.
 (() => {
-  const { data, solid } = report;
-  if (!data) {
-    return;
-  }
-
-  const { times, bodies } = data;
+  const { solid } = report;
   const colours = ['blue', 'orange', 'green', 'violet', 'red', 'teal'];
   const dashes = [[], [9, 5], [2, 4], [12, 4, 2, 4]];
-  bodies.forEach((body, i) => {
-    body.colour = colours[i % colours.length];
-    body.dash = dashes[Math.floor(i / colours.length) * 2 % 4 + i % 2];
-    body.size = solid.length(body.edges);
-  });
+
+  // over all moments so far: the largest body, the lowest place, the longest arrows
+  const extent = {};
+
+  function begin() {
+    report.data.bodies.forEach((body, i) => {
+      body.colour = colours[i % colours.length];
+      body.dash = dashes[Math.floor(i / colours.length) * 2 % 4 + i % 2];
+      body.size = solid.length(body.edges);
+    });
+    Object.assign(extent, { moments: 0, size: Math.max(...report.data.bodies.map(body => body.size)), lowest: Infinity, spin: 0, momentum: 0 });
+    grow();
+  }
+
+  function grow() {
+    const { times, bodies } = report.data;
+    for (let i = extent.moments; i < times.length; i++) {
+      for (const body of bodies) {
+        const spin = at(body.spin, 3, i);
+        extent.lowest = Math.min(extent.lowest, body.position[3 * i + 1]);
+        extent.spin = Math.max(extent.spin, solid.length(spin));
+        extent.momentum = Math.max(extent.momentum, solid.length(solid.momentum(body, at(body.orientation, 4, i), spin)));
+      }
+    }
+
+    extent.moments = times.length;
+  }
 
   const at = (column, width, frame) => column.slice(width * frame, width * (frame + 1));
 
   // the frame at a time or before it, and how far the time is on the way to the next
   function between(t) {
+    const { times } = report.data;
     let low = 0, high = times.length - 1;
     while (high - low > 1) {
       const middle = (low + high) >> 1;
@@ -43,7 +61,17 @@
     return { name: body.name, position: mix(body.position, 3), orientation, spin, momentum: solid.momentum(body, orientation, spin) };
   }
 
-  const poseAt = t => bodies.map(body => poseOf(body, between(t)));
-  report.motion = { at, between, poseOf, end: times[times.length - 1] };
-  report.poseAt = poseAt;
+  report.on('motion', begin);
+  report.on('growth', grow);
+  if (report.data) {
+    begin();
+  }
+
+  report.motion = {
+    at, between, poseOf, extent,
+    get end() { return report.data.times[report.data.times.length - 1]; },
+    // what scales are made for: as long as the motion is, or is expected to become
+    get span() { return Math.max(this.end, report.data.span ?? 0); },
+  };
+  report.poseAt = t => report.data.bodies.map(body => poseOf(body, between(t)));
 })();

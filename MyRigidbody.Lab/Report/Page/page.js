@@ -3,39 +3,51 @@
 // What all parts of the page share: the data, the language, the theme.
 window.report = (() => {
   const root = document.documentElement;
-  const data = JSON.parse(document.getElementById('data').textContent);
-  const choice = new URLSearchParams(location.hash.slice(1));
+  const first = JSON.parse(document.getElementById('data').textContent);
+  const words = { ...first?.words };
+  const choice = () => new URLSearchParams(location.hash.slice(1));
   const dark = matchMedia('(prefers-color-scheme: dark)');
   const listeners = {};
 
-  // parts of the page tell each other what has changed: "language", "theme", "time"
+  // parts of the page tell each other what has changed: "language", "theme", "time"; "motion" when another one is shown, "growth"
+  // when moments have been added to it
   const on = (what, listener) => (listeners[what] ??= []).push(listener);
   const tell = what => (listeners[what] ?? []).forEach(listener => listener());
 
   const language = () => root.lang;
   const word = (name, ...parts) => {
-    const pair = data?.words[name];
+    const pair = words[name];
     return pair ? pair[language()].replace(/\{(\d)\}/g, (_, i) => parts[i]) : name;
   };
 
   // the address remembers what was chosen, so that a link or a reload shows the same
   function remember(name, value) {
-    choice.set(name, value);
-    history.replaceState(null, '', '#' + choice);
+    const chosen = choice();
+    chosen.set(name, value);
+    history.replaceState(null, '', '#' + chosen);
+  }
+
+  // bodies of a student's script have a name in each language
+  function nameBodies() {
+    for (const body of report.data?.bodies ?? []) {
+      body.name = body.names?.[language()] ?? body.name;
+    }
   }
 
   function setLanguage(value) {
     root.lang = value;
-    // bodies of a student's script have a name in each language
-    for (const body of data?.bodies ?? []) {
-      body.name = body.names?.[value] ?? body.name;
-    }
-
+    nameBodies();
     for (const element of document.querySelectorAll('[data-word]')) {
       element.textContent = word(element.dataset.word);
     }
 
     tell('language');
+  }
+
+  function show(motion) {
+    report.data = motion;
+    nameBodies();
+    tell('motion');
   }
 
   function setTheme(value) {
@@ -54,10 +66,10 @@ window.report = (() => {
     setTheme(root.dataset.theme === 'dark' ? 'light' : 'dark');
     remember('theme', root.dataset.theme);
   });
-  dark.addEventListener('change', () => choice.has('theme') || setTheme(dark.matches ? 'dark' : 'light'));
+  dark.addEventListener('change', () => choice().has('theme') || setTheme(dark.matches ? 'dark' : 'light'));
 
-  const first = choice.get('lang') ?? navigator.language;
-  setLanguage(first.startsWith('zh') ? 'zh' : 'en');
-  setTheme(choice.get('theme') ?? (dark.matches ? 'dark' : 'light'));
-  return { data, on, tell, word, colour, language };
+  const report = { data: first, words, on, tell, word, colour, language, show, setLanguage };
+  setLanguage((choice().get('lang') ?? navigator.language).startsWith('zh') ? 'zh' : 'en');
+  setTheme(choice().get('theme') ?? (dark.matches ? 'dark' : 'light'));
+  return report;
 })();

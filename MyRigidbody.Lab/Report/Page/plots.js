@@ -2,9 +2,9 @@
 
 // Curves over time, drawn by plotly; a thin line over them is the time of the replay.
 (() => {
-  const { data, word, colour, solid } = report;
+  const { word, colour, solid, motion } = report;
   const curves = document.getElementById('curves'), now = document.getElementById('now');
-  if (!data || !curves) {
+  if (!report.data || !curves) {
     return;
   }
 
@@ -13,30 +13,44 @@
   const rowHeight = 165, space = 0.2;
   const dashes = ['solid', 'dash', 'dot', 'dashdot'];
   const symbols = ['circle', 'square-open', 'diamond', 'x', 'triangle-up', 'star'];
-  const { times, bodies, pairs } = data;
+  // of a motion that grows a curve has no more points than can be drawn while it is watched
+  const mostPoints = 1500, pause = 500;
 
-  const momentum = bodies.map(body => times.map((_, i) => solid.length(
-    solid.momentum(body, body.orientation.slice(4 * i, 4 * i + 4), body.spin.slice(3 * i, 3 * i + 3)))));
+  // which moments are drawn
+  function chosen() {
+    const { times, advance } = report.data;
+    const every = advance ? Math.ceil(times.length / mostPoints) : 1;
+    return [...times.keys()].filter(i => i % every === 0 || i === times.length - 1);
+  }
+
+  const momentum = (body, i) => solid.length(solid.momentum(body, motion.at(body.orientation, 4, i), motion.at(body.spin, 3, i)));
 
   // one plot under the other; a row is its title and its curves
-  function rows() {
-    const ofBodies = column => bodies.map((body, i) => ({ name: body.name, colour: body.colour, mark: i, y: column(body, i), legend: true }));
+  function rows(at) {
+    const { bodies, pairs } = report.data;
+    const ofBodies = value => bodies.map((body, mark) => ({ name: body.name, colour: body.colour, mark, y: at.map(i => value(body, i)), legend: true }));
     const ofPairs = name => pairs.map((pair, i) => ({
-      name: word('between', bodies[pair.first].name, bodies[pair.second].name), colour: 'ink', mark: i, y: pair[name], legend: false,
+      name: word('between', bodies[pair.first].name, bodies[pair.second].name), colour: 'ink', mark: i, y: at.map(moment => pair[name][moment]), legend: false,
     }));
     return [
       ...(pairs.length > 0 ? [[word('axis.angle'), ofPairs('angle')], [word('axis.distance'), ofPairs('distance')]] : []),
-      [word('axis.energy'), ofBodies(body => body.energy)],
-      [word('axis.momentum'), ofBodies((_, i) => momentum[i])],
+      [word('axis.energy'), ofBodies((body, i) => body.energy[i])],
+      [word('axis.momentum'), ofBodies(momentum)],
     ];
   }
 
+  // all of the time axis, as it was drawn last; a reader who has zoomed in stays there
+  let all = null;
+  const isZoomed = () => all && String(curves.layout.xaxis.range) !== String(all);
+
   function draw() {
-    const plots = rows(), traces = [], titles = [];
+    const { times, bodies } = report.data;
+    const at = chosen(), plots = rows(at), traces = [], titles = [];
     const axis = { gridcolor: colour('line'), linecolor: colour('line'), zerolinecolor: colour('line'), color: colour('faint') };
     // on a phone each name in the legend takes a line
     margin.t = 34 + (curves.clientWidth < narrow ? legendLine * (Math.min(bodies.length, 6) - 1) : 0);
-    const range = curves.layout?.xaxis.range ?? [0, report.end];
+    const range = isZoomed() ? curves.layout.xaxis.range : [0, motion.span];
+    all = [0, motion.span];
     const layout = {
       height: plots.length * rowHeight + margin.t + margin.b,
       margin,
@@ -57,7 +71,7 @@
       };
       titles.push({ text: title, x: 0, y: top - 0.5 * space / plots.length, xref: 'paper', yref: 'paper', xanchor: 'left', yanchor: 'bottom', showarrow: false, font: { size: 13 } });
       list.forEach(curve => traces.push({
-        x: times, y: curve.y, yaxis: id, name: safe(curve.name), legendgroup: curve.name, showlegend: curve.legend && row === plots.length - 1,
+        x: at.map(i => times[i]), y: curve.y, yaxis: id, name: safe(curve.name), legendgroup: curve.name, showlegend: curve.legend && row === plots.length - 1,
         mode: 'lines+markers',
         line: { color: colour(curve.colour), dash: dashes[curve.mark % dashes.length], width: 2 },
         marker: { symbol: symbols[curve.mark % symbols.length], size: 7, maxdisplayed: 12, color: colour(curve.colour) },
@@ -80,11 +94,27 @@
     now.style.transform = `translateX(${margin.l + part * (curves.clientWidth - margin.l - margin.r) - 1}px)`;
   }
 
-  draw();
+  function begin() {
+    all = null;
+    draw();
+  }
+
+  let waits = 0;
+  function grow() {
+    waits ||= setTimeout(() => {
+      waits = 0;
+      draw();
+    }, pause);
+  }
+
+  begin();
   curves.on('plotly_click', event => report.setTime(event.points[0].x));
+  curves.on('plotly_doubleclick', begin);
   curves.on('plotly_relayout', showNow);
   new ResizeObserver(showNow).observe(curves);
   report.on('time', showNow);
+  report.on('motion', begin);
+  report.on('growth', grow);
   report.on('language', draw);
   report.on('theme', draw);
 })();

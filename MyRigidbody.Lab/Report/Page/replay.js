@@ -1,115 +1,97 @@
 'use strict';
 
-// The replay: time, and what the reader does with it and with the camera.
+// The replay: time, and what the reader does with it. A motion that grows is made as far as it is watched.
 (() => {
-  const { data, word, motion, stage } = report;
+  const { word, motion, stage } = report;
   const byId = id => document.getElementById(id);
-  const canvas = byId('stage');
-  if (!data || !canvas) {
+  if (!byId('stage')) {
     return;
   }
 
-  const { times, bodies } = data;
-  const { between, end } = motion;
-  const { view, shown, short, round125 } = stage;
-  let time = 0, playing = false, changed = true;
+  // wanted: where the reader would be if the motion had got there
+  let time = 0, wanted = 0, playing = false, changed = true, speeds = [];
 
   // ---- what stands around the picture ----
 
-  function legend() {
-    const line = (name, stroke, dash) => {
-      const row = document.createElement('div');
-      row.innerHTML = `<svg width="30" height="8" aria-hidden="true"><line x1="0" y1="4" x2="30" y2="4" stroke="var(--${stroke})" stroke-width="3" stroke-dasharray="${dash}"/></svg>`;
-      row.append(name);
-      return row;
-    };
-    byId('legend').replaceChildren(
-      ...bodies.slice(0, 6).map(body => line(short(body.name), body.colour, body.dash)),
-      ...(shown.arrows ? [line('ω', 'green', []), line('L', 'violet', [5, 4])] : []));
+  const symbols = { LeftArrow: '←', RightArrow: '→', UpArrow: '↑', DownArrow: '↓', R: 'r' };
+  const nameOf = held => held.key ?? held.en;
+
+  // one cap for each key, whenever it is held; other effects by name. Where keys can be held, a cap is a button
+  let caps = new Map();
+  function makeCaps() {
+    const kind = held => (held.key ? (report.data.advance ? 'button' : 'kbd') : 'span');
+    caps = new Map(report.data.held.map(held => [nameOf(held), { held }]));
+    caps.forEach(cap => cap.element = document.createElement(kind(cap.held)));
+    caps.forEach(({ held, element }) => element.dataset.key = held.key ?? '');
+    byId('held').replaceChildren(...[...caps.values()].map(cap => cap.element));
   }
 
-  const symbols = { LeftArrow: '←', RightArrow: '→', UpArrow: '↑', DownArrow: '↓', R: 'r' };
-
-  // one cap for each key, whenever it is held; other effects by name
-  const caps = new Map();
-  data.held.forEach(held => {
-    const name = held.key ?? held.en;
-    if (!caps.has(name)) {
-      caps.set(name, { held, windows: [], element: document.createElement(held.key ? 'kbd' : 'span') });
-    }
-
-    caps.get(name).windows.push([held.from, held.to]);
-  });
-  caps.forEach(({ element }) => byId('held').append(element));
-
-  function labels() {
+  function label() {
     caps.forEach(({ held, element }) => {
       element.textContent = held.key ? symbols[held.key] : held[report.language()];
       element.title = held.key ? word('key.' + held.key) : '';
       element.classList.toggle('acts', !held.key);
     });
-    const options = (id, list) => {
-      const chosen = byId(id).value;
-      byId(id).replaceChildren(...list.map(([value, text]) => new Option(text, value, false, value === chosen)));
-    };
-    options('speed', speeds.map(speed => [String(speed), '× ' + speed]));
-    options('camera', [['all', word('camera.all')], ['path', word('camera.path')], ...bodies.map((body, i) => [String(i), word('camera.body', short(body.name))])]);
-    options('arrange', [['side', word('arrange.side')], ['place', word('arrange.place')]]);
     byId('time').setAttribute('aria-label', word('time'));
     byId('play').textContent = playing ? '❚❚ ' + word('pause') : '▶ ' + word('play');
-    legend();
   }
 
+  const isHeld = name => report.data.held.some(held => nameOf(held) === name && held.from <= time && time < held.to);
+
   function showTime() {
-    const digits = Math.min(6, Math.max(2, 2 - Math.floor(Math.log10(end / 10))));
+    const digits = Math.min(6, Math.max(2, 2 - Math.floor(Math.log10(motion.span / 10))));
     byId('time').value = time;
     byId('time').setAttribute('aria-valuetext', time.toFixed(digits) + ' s');
     byId('clock').value = time.toFixed(digits) + ' s';
-    caps.forEach(({ element, windows }) => element.classList.toggle('on', windows.some(([from, to]) => from <= time && time < to)));
+    caps.forEach(({ element }, name) => element.classList.toggle('on', isHeld(name)));
     changed = true;
     report.tell('time');
   }
 
   // ---- time ----
 
-  // once through takes 3 to 40 s at the speed of nature, or is made to
-  const natural = end >= 3 && end <= 40 ? 1 : round125(end / 15);
-  const speeds = [0.1, 0.2, 0.5, 1, 2, 5].map(factor => +(factor * natural).toPrecision(3));
-
   function setTime(t) {
-    time = Math.min(end, Math.max(0, t));
+    wanted = Math.max(0, t);
+    time = Math.min(motion.end, wanted);
     showTime();
   }
 
   function setPlaying(value) {
     playing = value;
-    if (playing && time >= end) {
+    if (playing && time >= motion.end && !report.data.advance) {
       setTime(0);
     }
 
-    labels();
+    label();
   }
 
   function stepBy(count) {
     setPlaying(false);
-    const [low, high, part] = between(time);
-    const here = part === 1 ? high : low;
-    setTime(times[Math.min(times.length - 1, Math.max(0, here + (count < 0 && part > 0 && part < 1 ? 0 : count)))]);
+    const { times, advance, step } = report.data;
+    const [low, high, part] = motion.between(time);
+    const next = (part === 1 ? high : low) + (count < 0 && part > 0 && part < 1 ? 0 : count);
+    if (next >= times.length && advance) {
+      wanted = motion.end + step;
+      advance(wanted - step / 2);
+    } else {
+      setTime(times[Math.min(times.length - 1, Math.max(0, next))]);
+    }
   }
 
   let last = 0;
   function loop(now) {
     if (playing) {
-      time += Math.min(0.1, (now - last) / 1000) * Number(byId('speed').value);
-      if (time >= end) {
+      const to = time + Math.min(0.1, (now - last) / 1000) * Number(byId('speed').value);
+      const goesOn = report.data.advance?.(to) ?? to < motion.end;
+      if (!goesOn) {
         setPlaying(false);
       }
 
-      setTime(time);
+      setTime(to);
     }
 
     last = now;
-    if (changed) {
+    if (changed && report.data) {
       changed = false;
       stage.draw(time);
     }
@@ -117,92 +99,39 @@
     requestAnimationFrame(loop);
   }
 
-  // ---- the reader's hand ----
-
-  function look(yaw, pitch, zoom = 1) {
-    view.yaw += yaw;
-    view.pitch = Math.min(1.5, Math.max(-1.5, view.pitch + pitch));
-    view.zoom = Math.min(50, Math.max(0.1, view.zoom * zoom));
-    changed = true;
+  function grow() {
+    byId('time').max = motion.end;
+    if (!playing && wanted > time) {
+      setTime(wanted);
+    }
   }
 
-  const resetView = () => {
-    Object.assign(view, stage.firstView);
-    byId('camera').value = shown.camera = 'all';
-    changed = true;
-  };
+  function begin() {
+    // once through takes 3 to 40 s at the speed of nature, or is made to
+    const natural = motion.span >= 3 && motion.span <= 40 ? 1 : stage.round125(motion.span / 15);
+    speeds = [0.1, 0.2, 0.5, 1, 2, 5].map(factor => +(factor * natural).toPrecision(3));
+    report.options('speed', speeds.map(speed => [String(speed), '× ' + speed]), String(speeds[3]));
+    makeCaps();
+    grow();
+    label();
+    setTime(0);
+  }
 
-  const fingers = new Map();
-  canvas.addEventListener('pointerdown', event => {
-    fingers.set(event.pointerId, event);
-    canvas.setPointerCapture(event.pointerId);
+  Object.assign(report.keys, {
+    ' ': () => setPlaying(!playing), ArrowLeft: () => stepBy(-1), ArrowRight: () => stepBy(1),
+    Home: () => setTime(0), End: () => setTime(motion.end),
   });
-  canvas.addEventListener('pointermove', event => {
-    const before = fingers.get(event.pointerId);
-    if (!before) {
-      return;
-    }
-
-    const other = [...fingers.values()].find(finger => finger.pointerId !== event.pointerId);
-    if (other) {
-      const apart = finger => Math.hypot(finger.clientX - other.clientX, finger.clientY - other.clientY);
-      look(0, 0, apart(event) / Math.max(1, apart(before)));
-    } else {
-      look((before.clientX - event.clientX) / 150, (event.clientY - before.clientY) / 150);
-    }
-
-    fingers.set(event.pointerId, event);
-  });
-  ['pointerup', 'pointercancel'].forEach(name => canvas.addEventListener(name, event => fingers.delete(event.pointerId)));
-  canvas.addEventListener('wheel', event => {
-    event.preventDefault();
-    look(0, 0, Math.exp(-event.deltaY / 600));
-  }, { passive: false });
-
-  const keys = {
-    ' ': () => setPlaying(!playing),
-    ArrowLeft: () => stepBy(-1), ArrowRight: () => stepBy(1),
-    Home: () => setTime(0), End: () => setTime(end),
-    '+': () => look(0, 0, 1.2), '=': () => look(0, 0, 1.2), '-': () => look(0, 0, 1 / 1.2), 0: resetView,
-  };
-  const turns = { ArrowLeft: [-0.1, 0], ArrowRight: [0.1, 0], ArrowUp: [0, 0.1], ArrowDown: [0, -0.1] };
-  document.addEventListener('keydown', event => {
-    const isControl = event.target.closest('button, select, input:not([type=range]), a, .wide');
-    if (isControl || event.ctrlKey || event.metaKey || event.altKey) {
-      return;
-    }
-
-    const act = event.shiftKey && turns[event.key] ? () => look(...turns[event.key]) : keys[event.key];
-    if (act) {
-      event.preventDefault();
-      act();
-    }
-  });
-
   byId('play').addEventListener('click', () => setPlaying(!playing));
-  byId('time').max = end;
   byId('time').addEventListener('input', () => setTime(Number(byId('time').value)));
-  byId('reset').addEventListener('click', resetView);
-  for (const [id, name] of Object.entries({ camera: 'camera', arrange: 'arrange', trails: 'trails', arrows: 'arrows', close: 'closeUps' })) {
-    byId(id).addEventListener('change', () => {
-      shown[name] = byId(id).type === 'checkbox' ? byId(id).checked : byId(id).value;
-      changed = true;
-      legend();
-    });
-  }
+  report.on('language', label);
+  report.on('view', () => changed = true);
+  report.on('growth', grow);
+  report.on('motion', begin);
 
-  report.on('language', () => {
-    labels();
-    changed = true;
-  });
-  report.on('theme', () => changed = true);
-  new ResizeObserver(() => changed = true).observe(canvas);
-
-  Object.assign(report, { setTime, end, time: () => time, playing: () => playing });
-  labels();
-  byId('speed').value = String(speeds[3]);
-  byId('arrange').value = shown.arrange;
-  setTime(0);
+  Object.assign(report, { setTime, setPlaying, stepBy, time: () => time, playing: () => playing });
   requestAnimationFrame(loop);
-  setPlaying(!matchMedia('(prefers-reduced-motion: reduce)').matches);
+  if (report.data) {
+    begin();
+    setPlaying(!matchMedia('(prefers-reduced-motion: reduce)').matches);
+  }
 })();

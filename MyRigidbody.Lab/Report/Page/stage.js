@@ -2,18 +2,15 @@
 
 // The picture: ground, trails, bodies with their arrows and names, and each body near by.
 (() => {
-  const { data, word, colour, solid, motion } = report;
+  const { word, colour, solid, motion } = report;
   const { add, scale, length } = solid;
+  const { at, between, poseOf, extent } = motion;
   const canvas = document.getElementById('stage');
-  if (!data || !canvas) {
+  if (!canvas) {
     return;
   }
 
-  const { times, bodies } = data;
-  const { at, between, poseOf, end } = motion;
   const context = canvas.getContext('2d');
-  const size = Math.max(...bodies.map(body => body.size));
-  const gap = 1.7 * size;
   const trailPoints = 500;
 
   // what the reader has chosen; yaw, pitch and zoom of the camera
@@ -22,36 +19,52 @@
   const shown = { camera: 'all', arrange: 'side', trails: true, arrows: true, closeUps: true };
   let time = 0, pictures = 0;
 
+  let times, bodies;
+
+  function begin() {
+    ({ times, bodies } = report.data);
+    const start = bodies.map(body => at(body.position, 3, 0));
+    const startTogether = start.some((a, i) => start.some((b, j) => j > i && length(add(a, scale(-1, b))) < extent.size));
+    shown.arrange = startTogether ? 'side' : 'place';
+    shown.camera = 'all';
+  }
+
+  // what is not known yet changes scales seldom: a motion that grows has arrows to a round scale, and a ground that sinks in strides
+  const isGrowing = () => report.data.advance !== undefined;
+  const least = 0.5, stride = () => 2 * extent.size;
+  const groundOf = low => low - 0.75 * extent.size;
+  function ground() {
+    const first = Math.min(...bodies.map(body => body.position[1]));
+    return isGrowing() ? groundOf(first) - stride() * Math.ceil((first - extent.lowest) / stride()) : groundOf(extent.lowest);
+  }
+
+  const longest = (value, floor) => Math.max(1e-300, isGrowing() ? round125(Math.max(value, floor)) : value);
+
   // ---- where bodies and camera stand ----
 
-  const start = bodies.map(body => at(body.position, 3, 0));
-  const startTogether = start.some((a, i) => start.some((b, j) => j > i && length(add(a, scale(-1, b))) < size));
-
-  const moved = i => (shown.arrange === 'side' ? [(i - (bodies.length - 1) / 2) * gap, 0, 0] : [0, 0, 0]);
+  const moved = i => (shown.arrange === 'side' ? [(i - (bodies.length - 1) / 2) * 1.7 * extent.size, 0, 0] : [0, 0, 0]);
   const middleOf = (body, pose) => add(pose.position, solid.turn(pose.orientation, body.center));
 
   // the middle of some points, and the radius around it that holds them
   function around(points) {
     const side = pick => [0, 1, 2].map(i => pick(...points.map(point => point[i])));
     const low = side(Math.min), high = side(Math.max);
-    return [scale(0.5, add(low, high)), 0.5 * length(add(high, scale(-1, low))) + 0.8 * size];
+    return [scale(0.5, add(low, high)), 0.5 * length(add(high, scale(-1, low))) + 0.8 * extent.size];
   }
 
-  const every = Math.max(1, Math.ceil(times.length / trailPoints));
-  const paths = bodies.map(body => {
-    const points = [];
-    for (let frame = 0; frame < times.length; frame += every) {
-      points.push(at(body.position, 3, frame));
+  // points of the way of a body, up to a moment
+  function path(i, moments) {
+    const points = [], every = Math.max(1, Math.ceil(times.length / trailPoints)), shift = moved(i);
+    for (let frame = 0; frame < moments; frame += every) {
+      points.push(add(at(bodies[i].position, 3, frame), shift));
     }
 
     return points;
-  });
-  const wholePath = () => around(paths.flatMap((points, i) => points.map(point => add(point, moved(i)))));
-  const ground = Math.min(...paths.flat().map(point => point[1])) - 0.75 * size;
+  }
 
   function aim(middles) {
     const mode = shown.camera;
-    return mode === 'all' ? around(middles) : mode === 'path' ? wholePath() : [middles[mode], 1.6 * size];
+    return mode === 'all' ? around(middles) : mode === 'path' ? around(bodies.flatMap((_, i) => path(i, times.length))) : [middles[mode], 1.6 * extent.size];
   }
 
   // ---- the picture ----
@@ -62,10 +75,7 @@
     return [1, 2, 5, 10].find(step => step * power >= value * 0.999) * power;
   }
 
-  const dotEvery = round125(end / 20);
-  const longestSpin = Math.max(1e-300, ...bodies.flatMap(body => times.map((_, i) => length(at(body.spin, 3, i)))));
-  const longestMomentum = Math.max(1e-300, ...bodies.map(body =>
-    Math.max(...times.map((_, i) => length(solid.momentum(body, at(body.orientation, 4, i), at(body.spin, 3, i)))))));
+  const dotEvery = () => round125(motion.span / 20);
 
   function line(eye, points, strokeStyle, width, dash) {
     context.strokeStyle = strokeStyle;
@@ -88,13 +98,13 @@
   }
 
   function drawGround(eye, target, radius) {
-    const step = round125(radius / 4), count = 8;
+    const step = round125(radius / 4), count = 8, level = ground();
     const [x, z] = [target[0], target[2]].map(value => Math.round(value / step) * step);
     for (let i = -count; i <= count; i++) {
       const [far, here] = [count * step, i * step];
       context.globalAlpha = 0.75 - 0.6 * Math.abs(i) / count;
-      line(eye, [[x + here, ground, z - far], [x + here, ground, z], [x + here, ground, z + far]], colour('line'), 1, []);
-      line(eye, [[x - far, ground, z + here], [x, ground, z + here], [x + far, ground, z + here]], colour('line'), 1, []);
+      line(eye, [[x + here, level, z - far], [x + here, level, z], [x + here, level, z + far]], colour('line'), 1, []);
+      line(eye, [[x - far, level, z + here], [x, level, z + here], [x + far, level, z + here]], colour('line'), 1, []);
     }
 
     context.globalAlpha = 1;
@@ -102,12 +112,10 @@
   }
 
   function drawTrail(eye, body, i, pose) {
-    const shift = moved(i), count = times.findIndex(t => t > time);
-    const done = count < 0 ? times.length : count;
-    const points = paths[i].slice(0, Math.floor((done - 1) / every) + 1);
-    line(eye, [...points, pose.position].map(point => add(point, shift)), colour(body.colour), 1.5, body.dash);
+    const shift = moved(i), [low, high, part] = between(time), every = dotEvery();
+    line(eye, [...path(i, 1 + (part < 1 ? low : high)), add(pose.position, shift)], colour(body.colour), 1.5, body.dash);
     context.fillStyle = colour(body.colour);
-    for (let t = 0; t <= time; t += dotEvery) {
+    for (let t = 0; t <= time; t += every) {
       const seen = eye.project(add(poseOf(body, between(t)).position, shift));
       if (seen) {
         context.beginPath();
@@ -120,9 +128,9 @@
   function drawBody(eye, body, pose, middle) {
     solid.drawBox(context, eye, body, middle, pose.orientation, colour(body.colour), '#101214');
     if (shown.arrows) {
-      const reach = 1.1 * size;
-      solid.drawArrow(context, eye, middle, scale(reach / longestMomentum, pose.momentum), colour('violet'), [5, 4]);
-      solid.drawArrow(context, eye, middle, scale(reach / longestSpin, pose.spin), colour('green'), []);
+      const reach = 1.1 * extent.size;
+      solid.drawArrow(context, eye, middle, scale(reach / longest(extent.momentum, least * Math.max(...body.moments)), pose.momentum), colour('violet'), [5, 4]);
+      solid.drawArrow(context, eye, middle, scale(reach / longest(extent.spin, least), pose.spin), colour('green'), []);
     }
   }
 
@@ -223,13 +231,17 @@
     }
 
     drawAxes(height);
-    const dots = shown.trails ? ' · ' + word('dots', dotEvery) : '';
+    const dots = shown.trails ? ' · ' + word('dots', dotEvery()) : '';
     const isNarrow = width < 500;
     drawText(word('grid', +step.toPrecision(3)) + dots, 12, height - (isNarrow ? closeUps + 6 : 8), 'left', true);
     pictures++;
   }
 
-  shown.arrange = startTogether ? 'side' : 'place';
+  report.on('motion', begin);
+  if (report.data) {
+    begin();
+  }
+
   report.stage = { draw, view, firstView, shown, short, round125 };
   report.pictures = () => pictures;
 })();
