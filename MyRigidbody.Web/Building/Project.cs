@@ -1,0 +1,32 @@
+using System.Reflection;
+
+namespace RigidBodyDynamics.Web.Building;
+
+/// <summary>Where the sources of the site are, and where it is built.</summary>
+/// <param name="Web">The folder of this project.</param>
+internal sealed record Project(string Web)
+{
+    /// <summary>The root of the repository.</summary>
+    public string Root => Path.GetDirectoryName(Web)!;
+
+    /// <summary>The page: HTML, style and scripts.</summary>
+    public string Page => Path.Combine(Web, "Page");
+
+    /// <summary>Where the site is built unless another folder is named.</summary>
+    public string Site => Path.Combine(Root, "artifacts", "site");
+
+    /// <summary>What is kept between two builds.</summary>
+    public string Work => Path.Combine(Root, "artifacts", "site-work");
+
+    /// <summary>The project that this program was built from.</summary>
+    public static Project OfThisProgram()
+    {
+        string folder = typeof(Project).Assembly.GetCustomAttributes<AssemblyMetadataAttribute>().Single(one => one.Key == "Folder").Value!;
+        return Directory.Exists(folder)
+            ? new Project(folder)
+            : throw new RefusedException($"{folder}: the sources of the site are no longer there");
+    }
+
+    /// <summary>What the framework's tool published of one of the page's two programs.</summary>
+    public string Published(string program) => Path.Combine(Root, "artifacts", "publish", program, "release", "wwwroot", "_framework");
+}

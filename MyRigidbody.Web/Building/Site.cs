@@ -1,0 +1,64 @@
+namespace RigidBodyDynamics.Web.Building;
+
+/// <summary>The site, from its sources to a folder that any web server can send.</summary>
+/// <param name="project">The sources.</param>
+/// <param name="folder">The site.</param>
+internal sealed class Site(Project project, string folder)
+{
+    private const string NoNpm = "npm is not on the path: the page's editor is bundled by it (Node.js 20 or newer has it)";
+
+    // what both programs of the page are compiled from
+    private static readonly string[] Libraries = ["MyRigidbody.Core", "MyRigidbody.Engine", "MyRigidbody.Judge", "MyRigidbody.Scripts", "MyRigidbody.Lab"];
+
+    /// <summary>Where it is.</summary>
+    public string Folder => folder;
+
+    /// <summary>Builds what has changed.</summary>
+    /// <param name="strict">Warnings of the compiler are errors.</param>
+    public void Build(bool strict)
+    {
+        Tool.Run(project.Page, "npm", NoNpm, "--version");
+        Publish("Play", strict);
+        Publish("Write", strict);
+        Bundle();
+        new SiteFolder(project, folder).Write();
+    }
+
+    private void Publish(string program, bool strict)
+    {
+        string sources = Path.Combine(project.Web, program);
+        string[] inputs =
+        [
+            .. Libraries.Select(library => Path.Combine(project.Root, library)), sources, Path.Combine(project.Web, "Wasm.props"),
+            Path.Combine(project.Root, "Directory.Build.props"), Path.Combine(project.Root, "Directory.Packages.props"), Path.Combine(project.Root, "global.json"),
+        ];
+        new Stamp(project, program + (strict ? "-strict" : string.Empty)).Do(inputs, project.Published(program), () =>
+        {
+            Console.WriteLine($"building {program}");
+            // what an earlier build published and this one does not
+            if (Directory.Exists(project.Published(program)))
+                Directory.Delete(project.Published(program), recursive: true);
+
+            string[] options = ["publish", sources, "-c", "Release", "-nologo", "-v", "quiet"];
+            Tool.Run(project.Root, "dotnet", "dotnet is not on the path", strict ? [.. options, "-warnaserror"] : options);
+        });
+    }
+
+    private void Bundle()
+    {
+        string modules = Path.Combine(project.Page, "node_modules"), bundle = Path.Combine(project.Work, "bundle");
+        new Stamp(project, "npm").Do([Path.Combine(project.Page, "package-lock.json")], modules, () =>
+        {
+            Console.WriteLine("installing what the page's lock file names");
+            Tool.Run(project.Page, "npm", NoNpm, "ci", "--ignore-scripts", "--prefer-offline", "--no-audit", "--no-fund", "--loglevel=error");
+        });
+        new Stamp(project, "bundle").Do([project.Page, Path.Combine(project.Root, "MyRigidbody.Lab", "Report", "Page")], bundle, () =>
+        {
+            Console.WriteLine("bundling the page");
+            if (Directory.Exists(bundle))
+                Directory.Delete(bundle, recursive: true);
+
+            Tool.Run(project.Page, "npm", NoNpm, "run", "--silent", "bundle", "--", "--outdir=" + bundle);
+        });
+    }
+}

@@ -1,0 +1,43 @@
+using System.ComponentModel;
+using System.Diagnostics;
+
+namespace RigidBodyDynamics.Web.Building;
+
+/// <summary>Runs a program of the toolchain.</summary>
+internal static class Tool
+{
+    /// <summary>Runs it to its end; what it says is shown only if it fails.</summary>
+    /// <param name="folder">Where it runs.</param>
+    /// <param name="program">Its name on the path.</param>
+    /// <param name="missing">What the user reads if it is not there.</param>
+    /// <param name="arguments">Its arguments.</param>
+    public static void Run(string folder, string program, string missing, params string[] arguments)
+    {
+        // npm and its kind are scripts of the shell there
+        bool isScript = OperatingSystem.IsWindows() && program != "dotnet";
+        ProcessStartInfo start = isScript ? new("cmd.exe", ["/d", "/c", program, .. arguments]) : new(program, arguments);
+        start.WorkingDirectory = folder;
+        start.RedirectStandardOutput = true;
+        start.RedirectStandardError = true;
+        try
+        {
+            using Process process = Process.Start(start)!;
+            Task<string> complaints = process.StandardError.ReadToEndAsync();
+            string said = process.StandardOutput.ReadToEnd() + complaints.Result;
+            process.WaitForExit();
+            // what the Windows shell answers if it knows no such program
+            if (isScript && process.ExitCode is 1 or 9009 && said.Contains($"'{program}'", StringComparison.Ordinal))
+                throw new RefusedException(missing);
+
+            if (process.ExitCode != 0)
+            {
+                Console.Error.WriteLine(said.TrimEnd());
+                throw new RefusedException($"{program} {arguments[0]} failed with exit code {process.ExitCode} in {folder}");
+            }
+        }
+        catch (Win32Exception)
+        {
+            throw new RefusedException(missing);
+        }
+    }
+}

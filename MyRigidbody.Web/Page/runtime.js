@@ -1,0 +1,25 @@
+// Starts one of the page's two .NET programs, in the page or in a worker, and gives what it exports.
+
+// assemblies lie packed on the server, which need not know
+async function unpacked(address, type) {
+  const response = await fetch(address);
+  if (!response.ok) {
+    throw new Error(`${address}: ${response.status}`);
+  }
+
+  return new Response(response.body.pipeThrough(new DecompressionStream('gzip')), { headers: { 'content-type': type } });
+}
+
+// without it the runtime takes every worker for one of its own threads, and waits for a page that runs it
+globalThis.dotnetSidecar = true;
+
+export async function start(folder, assembly) {
+  const address = new URL(`${folder}/_framework/dotnet.js`, import.meta.url).href;
+  const { dotnet } = await import(address);
+  const runtime = await dotnet
+    .withResourceLoader((type, name, path) =>
+      name.endsWith('.js') ? path : unpacked(`${path}.bin`, name.endsWith('.wasm') ? 'application/wasm' : 'application/octet-stream'))
+    .create();
+  await runtime.runMain(assembly, []);
+  return await runtime.getAssemblyExports(assembly + '.dll');
+}
