@@ -6,6 +6,9 @@ namespace RigidBodyDynamics.Web.Building;
 /// <param name="Web">The folder of this project.</param>
 internal sealed record Project(string Web)
 {
+    /// <summary>The page's two programs, each in a folder of its own.</summary>
+    public static IReadOnlyList<string> Programs { get; } = ["Play", "Write"];
+
     /// <summary>The root of the repository.</summary>
     public string Root => Path.GetDirectoryName(Web)!;
 
@@ -17,6 +20,12 @@ internal sealed record Project(string Web)
 
     /// <summary>What is kept between two builds.</summary>
     public string Work => Path.Combine(Root, "artifacts", "site-work");
+
+    /// <summary>The page's scripts and style, bundled.</summary>
+    public string Bundle => Path.Combine(Work, "bundle");
+
+    /// <summary>What was bundled.</summary>
+    public string BundleList => Path.Combine(Work, "bundle.json");
 
     /// <summary>The project that this program was built from.</summary>
     public static Project OfThisProgram()

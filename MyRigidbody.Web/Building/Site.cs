@@ -18,8 +18,9 @@ internal sealed class Site(Project project, string folder)
     public void Build(bool strict)
     {
         Tool.Run(project.Page, "npm", NoNpm, "--version");
-        Publish("Play", strict);
-        Publish("Write", strict);
+        foreach (string program in Project.Programs)
+            Publish(program, strict);
+
         Bundle();
         new SiteFolder(project, folder).Write();
     }
@@ -46,19 +47,19 @@ internal sealed class Site(Project project, string folder)
 
     private void Bundle()
     {
-        string modules = Path.Combine(project.Page, "node_modules"), bundle = Path.Combine(project.Work, "bundle");
+        string modules = Path.Combine(project.Page, "node_modules");
         new Stamp(project, "npm").Do([Path.Combine(project.Page, "package-lock.json")], modules, () =>
         {
             Console.WriteLine("installing what the page's lock file names");
             Tool.Run(project.Page, "npm", NoNpm, "ci", "--ignore-scripts", "--prefer-offline", "--no-audit", "--no-fund", "--loglevel=error");
         });
-        new Stamp(project, "bundle").Do([project.Page, Path.Combine(project.Root, "MyRigidbody.Lab", "Report", "Page")], bundle, () =>
+        new Stamp(project, "bundle").Do([project.Page, Path.Combine(project.Root, "MyRigidbody.Lab", "Report", "Page")], project.Bundle, () =>
         {
             Console.WriteLine("bundling the page");
-            if (Directory.Exists(bundle))
-                Directory.Delete(bundle, recursive: true);
+            if (Directory.Exists(project.Bundle))
+                Directory.Delete(project.Bundle, recursive: true);
 
-            Tool.Run(project.Page, "npm", NoNpm, "run", "--silent", "bundle", "--", "--outdir=" + bundle);
+            Tool.Run(project.Page, "npm", NoNpm, "run", "--silent", "bundle", "--", "--outdir=" + project.Bundle, "--metafile=" + project.BundleList);
         });
     }
 }

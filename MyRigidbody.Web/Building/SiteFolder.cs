@@ -1,4 +1,6 @@
-using System.IO.Compression;
+using System.Security.Cryptography;
+using System.Text;
+using System.Text.Json;
 
 namespace RigidBodyDynamics.Web.Building;
 
@@ -7,31 +9,21 @@ namespace RigidBodyDynamics.Web.Building;
 /// <param name="folder">The site.</param>
 internal sealed class SiteFolder(Project project, string folder)
 {
+    private const string ServiceWorker = "service-worker.js";
+
+    private readonly HashSet<string> _belongs = [];
+
     /// <summary>Writes what has changed, and removes what no longer belongs to the site.</summary>
     public void Write()
     {
         try
         {
             Directory.CreateDirectory(folder);
-            HashSet<string> belongs = [];
-            foreach ((string name, string source) in Parts())
-            {
-                string target = Path.Combine(folder, name.Replace('/', Path.DirectorySeparatorChar));
-                belongs.Add(Path.GetFullPath(target));
-                FileInfo from = new(source), to = new(target);
-                if (to.Exists && to.LastWriteTimeUtc == from.LastWriteTimeUtc)
-                    continue;
-
-                Directory.CreateDirectory(Path.GetDirectoryName(target)!);
-                if (name.EndsWith(Packed, StringComparison.Ordinal))
-                    Pack(source, target);
-                else
-                    File.Copy(source, target, overwrite: true);
-
-                File.SetLastWriteTimeUtc(target, from.LastWriteTimeUtc);
-            }
-
-            foreach (string file in Directory.EnumerateFiles(folder, "*", SearchOption.AllDirectories).Where(file => !belongs.Contains(Path.GetFullPath(file))))
+            string[] before = [.. FilesOfTheVersionBefore()];
+            string[] names = [.. Parts().Select(part => Copy(part.Name, part.Source))];
+            WriteText("licences.txt", new Licences(project).Text());
+            WriteServiceWorker([.. names, "licences.txt"]);
+            foreach (string file in before.Where(file => !_belongs.Contains(file)))
                 File.Delete(file);
         }
         catch (Exception refused) when (refused is IOException or UnauthorizedAccessException)
@@ -40,33 +32,80 @@ internal sealed class SiteFolder(Project project, string folder)
         }
     }
 
-    // assemblies and WebAssembly go over the wire packed by gzip whatever the server does, and the page unpacks them: no server
-    // takes a .bin for something to refuse, to pack again or to unpack
-    private const string Packed = ".bin";
-
     private IEnumerable<(string Name, string Source)> Parts()
     {
         yield return ("index.html", Path.Combine(project.Page, "index.html"));
-        foreach (string file in Directory.EnumerateFiles(Path.Combine(project.Work, "bundle")))
+        foreach (string file in Directory.EnumerateFiles(project.Bundle).Where(file => Path.GetFileName(file) != ServiceWorker))
             yield return (Path.GetFileName(file), file);
 
         foreach (string file in Directory.EnumerateFiles(Path.Combine(project.Root, "scenes")))
             yield return ("scenes/" + Path.GetFileName(file), file);
 
-        foreach (string program in new[] { "Play", "Write" })
+        foreach (string program in Project.Programs)
         {
             foreach (string file in Directory.EnumerateFiles(project.Published(program)))
             {
-                bool isScript = Path.GetExtension(file) == ".js";
-                yield return ($"{program.ToLowerInvariant()}/_framework/{Path.GetFileName(file)}{(isScript ? string.Empty : Packed)}", file);
+                string packed = Path.GetExtension(file) == ".js" ? string.Empty : Packing.Always;
+                yield return ($"{program.ToLowerInvariant()}/_framework/{Path.GetFileName(file)}{packed}", file);
             }
         }
     }
 
-    private static void Pack(string source, string target)
+    private string Copy(string name, string source)
     {
-        using FileStream from = File.OpenRead(source), to = File.Create(target);
-        using GZipStream gzip = new(to, CompressionLevel.SmallestSize);
-        from.CopyTo(gzip);
+        string target = Target(name);
+        DateTime time = File.GetLastWriteTimeUtc(source);
+        if (!File.Exists(target) || File.GetLastWriteTimeUtc(target) != time)
+        {
+            Directory.CreateDirectory(Path.GetDirectoryName(target)!);
+            if (name.EndsWith(Packing.Always, StringComparison.Ordinal))
+                Packing.Pack(source, target);
+            else
+                File.Copy(source, target, overwrite: true);
+
+            File.SetLastWriteTimeUtc(target, time);
+        }
+
+        Keep(name, target);
+        return name;
+    }
+
+    private void WriteText(string name, string text)
+    {
+        string target = Target(name);
+        if (!File.Exists(target) || File.ReadAllText(target) != text)
+            File.WriteAllText(target, text);
+
+        Keep(name, target);
+    }
+
+    // the version of the site is that of its files: whoever has the worker knows what belongs to it
+    private void WriteServiceWorker(IEnumerable<string> names)
+    {
+        Dictionary<string, string> files = names.Order(StringComparer.Ordinal).ToDictionary(
+            name => name == "index.html" ? "./" : name, name => "sha256-" + Convert.ToBase64String(SHA256.HashData(File.ReadAllBytes(Target(name)))));
+        string list = JsonSerializer.Serialize(files), script = File.ReadAllText(Path.Combine(project.Bundle, ServiceWorker));
+        string version = Convert.ToHexString(SHA256.HashData(Encoding.UTF8.GetBytes(list + script)))[..16];
+        WriteText(ServiceWorker, $"self.site={{version:\"{version}\",files:{list}}};\n{script}");
+    }
+
+    // what lies there beside the site is not ours to remove
+    private IEnumerable<string> FilesOfTheVersionBefore()
+    {
+        string worker = Target(ServiceWorker);
+        if (!File.Exists(worker) || File.ReadLines(worker).FirstOrDefault() is not string first || first.IndexOf("files:", StringComparison.Ordinal) is not (> 0 and int at))
+            return [];
+
+        Dictionary<string, string> files = JsonSerializer.Deserialize<Dictionary<string, string>>(first[(at + "files:".Length)..^"};".Length])!;
+        return files.Keys.Select(Target).SelectMany(file => Packing.Encodings.Select(encoding => file + encoding.Ending).Prepend(file)).Where(File.Exists);
+    }
+
+    private string Target(string name) => Path.Combine(folder, name.Replace('/', Path.DirectorySeparatorChar));
+
+    private void Keep(string name, string target)
+    {
+        _belongs.Add(target);
+        if (!name.EndsWith(Packing.Always, StringComparison.Ordinal))
+            _belongs.UnionWith(Packing.PackBeside(target));
     }
 }

@@ -2,10 +2,15 @@
 import './first.js';
 import '../../MyRigidbody.Lab/Report/Page/page.js';
 import './lab.js';
+import { keep, renew } from './offline.js';
 import { startPlay } from './play.js';
 import { startCost } from './cost.js';
 import { startWrite } from './write.js';
 
-await startPlay(document.getElementById('play-part'));
-startWrite(document.getElementById('write-part'));
-startCost(document.getElementById('cost-part'));
+const part = name => document.getElementById(name + '-part');
+if (!await renew()) {
+  await startPlay(part('play'));
+  startCost(part('cost'));
+  await startWrite(part('write'));
+  await keep();
+}

@@ -22,7 +22,7 @@ internal static class StaticServer
         builder.Logging.ClearProviders();
         builder.WebHost.ConfigureKestrel(kestrel => kestrel.Listen(IPAddress.Loopback, port));
         await using WebApplication server = builder.Build();
-        PhysicalFileProvider files = new(folder);
+        using PhysicalFileProvider files = new(folder);
         server.Use((context, next) =>
         {
             IHeaderDictionary headers = context.Response.Headers;
@@ -34,8 +34,7 @@ internal static class StaticServer
             headers.CacheControl = "no-cache";
             return next(context);
         });
-        server.UseDefaultFiles(new DefaultFilesOptions { FileProvider = files });
-        server.UseStaticFiles(new StaticFileOptions { FileProvider = files });
+        server.UseSite(files);
         try
         {
             await server.StartAsync(stop);
