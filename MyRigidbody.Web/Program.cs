@@ -37,6 +37,10 @@ internal static class Program
 
     private static async Task<int> Execute(string? folder, int port, bool openBrowser, bool strict, CancellationToken stop)
     {
+        // before the build, which takes a minute
+        if (folder == null)
+            StaticServer.MustBeFree(port);
+
         Project project = Project.OfThisProgram();
         Site site = new(project, Path.GetFullPath(folder ?? project.Site));
         site.Build(strict);

@@ -18,11 +18,13 @@ internal sealed class Site(Project project, string folder)
     public void Build(bool strict)
     {
         Tool.Run(project.Page, "npm", NoNpm, "--version");
+        SiteFolder site = new(project, folder);
+        site.Create();
         foreach (string program in Project.Programs)
             Publish(program, strict);
 
         Bundle();
-        new SiteFolder(project, folder).Write();
+        site.Write();
     }
 
     private void Publish(string program, bool strict)

@@ -13,22 +13,35 @@ internal sealed class SiteFolder(Project project, string folder)
 
     private readonly HashSet<string> _belongs = [];
 
+    /// <summary>Makes the folder, so that one that cannot be written is refused before the build.</summary>
+    public void Create() => Do(() =>
+    {
+        Directory.CreateDirectory(folder);
+        string probe = Target(".writable");
+        File.WriteAllText(probe, string.Empty);
+        File.Delete(probe);
+    });
+
     /// <summary>Writes what has changed, and removes what no longer belongs to the site.</summary>
-    public void Write()
+    public void Write() => Do(() =>
+    {
+        string[] before = [.. FilesOfTheVersionBefore()];
+        string[] names = [.. Parts().Select(part => Copy(part.Name, part.Source))];
+        WriteText("licences.txt", new Licences(project).Text());
+        WriteServiceWorker([.. names, "licences.txt"]);
+        foreach (string file in before.Where(file => !_belongs.Contains(file)))
+            File.Delete(file);
+    });
+
+    private void Do(Action write)
     {
         try
         {
-            Directory.CreateDirectory(folder);
-            string[] before = [.. FilesOfTheVersionBefore()];
-            string[] names = [.. Parts().Select(part => Copy(part.Name, part.Source))];
-            WriteText("licences.txt", new Licences(project).Text());
-            WriteServiceWorker([.. names, "licences.txt"]);
-            foreach (string file in before.Where(file => !_belongs.Contains(file)))
-                File.Delete(file);
+            write();
         }
         catch (Exception refused) when (refused is IOException or UnauthorizedAccessException)
         {
-            throw new RefusedException($"{folder}: {refused.Message}");
+            throw new RefusedException($"{folder}: cannot be written: {refused.Message}");
         }
     }
 

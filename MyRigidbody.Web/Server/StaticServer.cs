@@ -1,5 +1,6 @@
 using System.Diagnostics;
 using System.Net;
+using System.Net.Sockets;
 using Microsoft.AspNetCore.Builder;
 using Microsoft.AspNetCore.Hosting;
 using Microsoft.AspNetCore.Hosting.Server;
@@ -15,6 +16,20 @@ namespace RigidBodyDynamics.Web.Server;
 /// <summary>Sends the files of the site to browsers of this machine, and nothing else.</summary>
 internal static class StaticServer
 {
+    /// <summary>Refuses a port that another program has.</summary>
+    public static void MustBeFree(int port)
+    {
+        try
+        {
+            using TcpListener probe = new(IPAddress.Loopback, port);
+            probe.Start();
+        }
+        catch (SocketException taken)
+        {
+            throw new RefusedException($"port {port} of this machine cannot be used: {taken.Message}. --port 0 takes any that is free.");
+        }
+    }
+
     /// <summary>Serves until it is stopped.</summary>
     public static async Task Run(string folder, int port, bool openBrowser, CancellationToken stop)
     {
@@ -35,15 +50,8 @@ internal static class StaticServer
             return next(context);
         });
         server.UseSite(files);
-        try
-        {
-            await server.StartAsync(stop);
-        }
-        catch (IOException taken)
-        {
-            throw new RefusedException($"port {port} of this machine cannot be used: {taken.InnerException?.InnerException?.Message ?? taken.Message}. --port 0 takes any that is free.");
-        }
-
+        MustBeFree(port);
+        await server.StartAsync(stop);
         string address = server.Services.GetRequiredService<IServer>().Features.Get<IServerAddressesFeature>()!.Addresses.First() + "/";
         Console.WriteLine($"the lab is at {address} (Ctrl+C ends it)");
         if (openBrowser)

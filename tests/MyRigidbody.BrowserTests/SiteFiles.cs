@@ -1,0 +1,40 @@
+using System.Text.Json;
+using NUnit.Framework;
+using RigidBodyDynamics.Tests.Repository;
+
+namespace RigidBodyDynamics.BrowserTests;
+
+/// <summary>The files of the lab in a browser, as they were built last.</summary>
+internal static class SiteFiles
+{
+    /// <summary>Their folder; the test is skipped where the site was not built.</summary>
+    public static string Folder
+    {
+        get
+        {
+            string folder = Root.File("artifacts/site");
+            if (!File.Exists(Path.Combine(folder, "index.html")))
+            {
+                Assert.Ignore("the site is not built: dotnet run -c Release --project MyRigidbody.Web -- --out artifacts/site");
+            }
+
+            return folder;
+        }
+    }
+
+    /// <summary>All of them by their names in the site, without those that lie packed beside a plain one.</summary>
+    public static string[] Names =>
+        [.. Directory.GetFiles(Folder, "*", SearchOption.AllDirectories).Select(file => Path.GetRelativePath(Folder, file).Replace('\\', '/')).Where(name => !IsPackedBeside(name)).Order()];
+
+    /// <summary>What the service worker knows of them: hashes by name.</summary>
+    public static Dictionary<string, string> OfTheWorker()
+    {
+        string first = File.ReadLines(InFolder("service-worker.js")).First();
+        return JsonSerializer.Deserialize<Dictionary<string, string>>(first[(first.IndexOf("files:", StringComparison.Ordinal) + 6)..^2])!;
+    }
+
+    /// <summary>One of them.</summary>
+    public static string InFolder(string name) => Path.Combine(Folder, name);
+
+    private static bool IsPackedBeside(string name) => name.EndsWith(".br", StringComparison.Ordinal) || name.EndsWith(".gz", StringComparison.Ordinal);
+}
