@@ -18,6 +18,10 @@ internal sealed class Licences(Project project)
         foreach (string folder in Bundled())
             AddFromNpm(folder);
 
+        // it says it itself, in its first lines
+        string plotting = File.ReadAllText(Plotting.Extract(project));
+        Add(Plotting.Script, "MIT", string.Join('\n', plotting.Split("*/")[0].Split('\n').Select(line => line.Trim('/', '*', ' '))).Trim(), string.Empty);
+
         // both programs have the runtime and much else in common
         HashSet<string> seen = [];
         foreach (string program in Project.Programs)
@@ -50,7 +54,7 @@ internal sealed class Licences(Project project)
         using JsonDocument assets = JsonDocument.Parse(File.ReadAllBytes(Path.Combine(project.Root, "artifacts", "obj", program, "project.assets.json")));
         JsonElement root = assets.RootElement;
         string[] caches = [.. root.GetProperty("packageFolders").EnumerateObject().Select(folder => folder.Name)];
-        HashSet<string> shipped = [.. Directory.EnumerateFiles(project.Published(program)).Select(file => Path.GetFileNameWithoutExtension(file))];
+        HashSet<string> shipped = [.. Directory.EnumerateFiles(project.Published(program)).Select(file => Path.GetFileNameWithoutExtension(file)), Plotting.Package];
         foreach (JsonElement framework in root.GetProperty("project").GetProperty("frameworks").EnumerateObject().Select(framework => framework.Value))
         {
             foreach (JsonElement pack in framework.GetProperty("downloadDependencies").EnumerateArray())

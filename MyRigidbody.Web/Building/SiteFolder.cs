@@ -48,6 +48,7 @@ internal sealed class SiteFolder(Project project, string folder)
     private IEnumerable<(string Name, string Source)> Parts()
     {
         yield return ("index.html", Path.Combine(project.Page, "index.html"));
+        yield return (Plotting.Script, Plotting.Extract(project));
         foreach (string file in Directory.EnumerateFiles(project.Bundle).Where(file => Path.GetFileName(file) != ServiceWorker))
             yield return (Path.GetFileName(file), file);
 
