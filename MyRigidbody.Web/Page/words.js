@@ -1,4 +1,4 @@
 // The page's words in both languages; each part adds its own before it shows them.
 export function addWords(words) {
-  Object.assign(window.report.data.words, words);
+  Object.assign(window.report.words, words);
 }
