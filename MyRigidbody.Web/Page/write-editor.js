@@ -24,7 +24,7 @@ export function createEditor(host, text, { say, changed }) {
         history(), language, indentOnInput(), bracketMatching(), closeBrackets(), theme,
         EditorState.tabSize.of(4), EditorView.lineWrapping, linter(null),
         keymap.of([...closeBracketsKeymap, ...lintKeymap, ...historyKeymap, indentWithTab, ...defaultKeymap]),
-        EditorView.updateListener.of(update => update.docChanged && changed(view.state.doc.toString())),
+        EditorView.updateListener.of(update => update.docChanged && changed()),
         showPanel.of(herePanel), words.of([]),
       ],
     }),

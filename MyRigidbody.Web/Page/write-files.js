@@ -7,7 +7,7 @@ export const fileName = path => path.split(/[\\/]/).pop();
 // Scripts that are dropped or chosen, and what is downloaded.
 export function createFiles(section, { say, ask, tell, open, submission }) {
   const input = section.querySelector('input[type=file]'), choice = section.querySelector('.choice'), pack = section.querySelector('.pack');
-  const inWords = finding => finding[document.documentElement.lang === 'zh' ? 'zh' : 'en'];
+  const inWords = finding => finding[report.language()];
 
   section.querySelector('.open').addEventListener('click', () => input.click());
   input.addEventListener('change', () => {
@@ -31,7 +31,7 @@ export function createFiles(section, { say, ask, tell, open, submission }) {
   async function take(files) {
     const found = [];
     for (const file of files) {
-      const refuse = why => tell(say('write.refused', file.name, why), true);
+      const refuse = why => tell(say('write.refused', file.name, why), { isRefusal: true });
       if (!scriptKinds.test(file.name)) return refuse(say('write.kind'));
       if (file.size > most) return refuse(say('write.large.file', most >> 20));
       let bytes;
@@ -45,7 +45,7 @@ export function createFiles(section, { say, ask, tell, open, submission }) {
       found.push(...answer.files);
     }
     const name = files.length === 1 ? files[0].name : '';
-    if (found.length === 0) return tell(say('write.refused', name, say('write.noScript')), true);
+    if (found.length === 0) return tell(say('write.refused', name, say('write.noScript')), { isRefusal: true });
     const likely = [found.filter(isMyRigidbody), found.filter(isComponent), found].find(some => some.length > 0);
     const script = likely.length === 1 ? likely[0] : await one(likely);
     // what goes with it, but no other answer to the same task
@@ -58,7 +58,7 @@ export function createFiles(section, { say, ask, tell, open, submission }) {
     list.replaceChildren(...likely.map((file, i) => new Option(file.name, i)));
     list.size = Math.min(likely.length, 8);
     list.selectedIndex = 0;
-    return ended(choice).then(() => (choice.returnValue === 'yes' ? likely[list.selectedIndex] : null));
+    return ended(choice).then(answer => (answer === 'yes' ? likely[list.selectedIndex] : null));
   }
 
   section.querySelector('.download').addEventListener('click', () => save('MyRigidbody.cs', new TextEncoder().encode(submission()[0].text)));
@@ -87,11 +87,11 @@ export function createFiles(section, { say, ask, tell, open, submission }) {
   });
 }
 
-// Asks in a dialog; what was answered is its returnValue.
+// Asks in a dialog, and gives what was answered.
 export function ended(dialog) {
   dialog.returnValue = '';
   dialog.showModal();
-  return new Promise(done => dialog.addEventListener('close', done, { once: true }));
+  return new Promise(done => dialog.addEventListener('close', () => done(dialog.returnValue), { once: true }));
 }
 
 function save(name, bytes) {

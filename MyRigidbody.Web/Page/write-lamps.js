@@ -9,8 +9,7 @@ const element = (tag, properties, ...children) => {
 // The five lamps, and below the editor what is off; in the words of check, which come with the answer.
 export function createLamps(section, { say, goTo }) {
   const lamps = section.querySelector('.lamps'), outcome = section.querySelector('.outcome'), notes = section.querySelector('.notes'), comments = section.querySelector('.comments'), told = section.querySelector('.told');
-  const tongue = () => document.documentElement.lang === 'zh' ? 'zh' : 'en';
-  const inWords = word => word?.[tongue()] ?? '';
+  const inWords = word => word?.[report.language()] ?? '';
   // the sign stands beside it, larger
   const resultOf = one => inWords(one.result).replace(/^\S+ /, '');
   let last = null;

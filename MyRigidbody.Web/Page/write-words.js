@@ -44,7 +44,6 @@ export const words = {
   'write.restarted': { en: 'This is the starter. What was here before is kept.', zh: '已换成初始脚本，原来的脚本已保留。' },
   'write.back': { en: 'Take it back', zh: '换回去' },
   'write.beside': { en: 'Compiled along: {0}', zh: '一起编译：{0}' },
-  'write.drop': { en: 'Drop it here: .cs, .unitypackage, .zip', zh: '拖到这里：.cs、.unitypackage、.zip' },
   'write.notKept': { en: 'This browser keeps nothing: download the script before you close the page.', zh: '浏览器不允许保存，关闭页面前请先下载脚本。' },
   'write.refused': { en: '{0}: {1}', zh: '{0}：{1}' },
   'write.kind': { en: 'is no script: the page opens .cs, .unitypackage and .zip', zh: '不是脚本，本页只打开 .cs、.unitypackage 和 .zip' },
