@@ -55,7 +55,7 @@ internal sealed class Site(Project project, string folder)
             Console.WriteLine("installing what the page's lock file names");
             Tool.Run(project.Page, "npm", NoNpm, "ci", "--ignore-scripts", "--prefer-offline", "--no-audit", "--no-fund", "--loglevel=error");
         });
-        new Stamp(project, "bundle").Do([project.Page, Path.Combine(project.Root, "MyRigidbody.Lab", "Report", "Page")], project.Bundle, () =>
+        new Stamp(project, "bundle").Do([project.Page, Path.Combine(project.Root, "MyRigidbody.Lab", "Report", "Page"), Path.Combine(project.Root, "UnityProject", "Assets", "MyRigidbodyStarter")], project.Bundle, () =>
         {
             Console.WriteLine("bundling the page");
             if (Directory.Exists(project.Bundle))

@@ -4,12 +4,11 @@ import '../../MyRigidbody.Lab/Report/Page/page.js';
 import './lab.js';
 import { keep, renew } from './offline.js';
 import { startPlay } from './play.js';
-import { startCost } from './cost.js';
-import { startWrite } from './write.js';
 
 const part = name => document.getElementById(name + '-part');
 if (!await renew()) {
   await startPlay(part('play'));
+  const [{ startWrite }, { startCost }] = await Promise.all([import('./write.js'), import('./cost.js')]);
   startCost(part('cost'));
   await startWrite(part('write'));
   await keep();
