@@ -19,22 +19,25 @@ internal static class Halfway
     /// <summary>Compares until a state is further off than it may be.</summary>
     public static void Compare(SceneDescription scene, Truth truth, Deviation[] found, double most)
     {
+        double length = scene.Steps.Length(0);
+        Simulation simulation = new Simulation(scene);
         foreach ((long step, double part) in Places(scene.Steps.Count))
         {
-            double length = scene.Steps.Length(0);
-            TimeSteps steps = TimeSteps.Of([.. Enumerable.Repeat(length, (int)step), part * length]);
-            Simulation simulation = new Simulation(new SceneDescription(scene.Name, string.Empty, steps, scene.Bodies));
-            simulation.Step(steps.Count);
+            simulation.Step(step - simulation.StepsDone);
+            SavedSimulation before = simulation.Save();
+            simulation.StepBy(part * length);
             for (int i = 0; i < found.Length; i++)
             {
                 Body body = simulation.Bodies[i];
                 if (!found[i].Add(body.State, truth.At(i, (step + part) * length), body.Mass, most))
                     return;
             }
+
+            simulation.Restore(before);
         }
     }
 
-    /// <summary>Steps, and how much of each.</summary>
+    /// <summary>Steps in their order, and how much of each.</summary>
     private static IEnumerable<(long Step, double Part)> Places(long count)
     {
         int most = FewSteps * PlacesPerStep;

@@ -14,6 +14,11 @@ public static class StepClock
     // a body that coasts takes its steps in less time than it takes to make it
     private const double MostPerSecond = 5;
 
+    // a time of so many ticks is known to some percent, whatever the clock: browsers make theirs coarse
+    private const double Ticks = 40;
+    private const int LeastTurns = 1, LongPiece = 1000;
+    private const double LeastSeconds = 0.002, FineTick = 1e-5;
+
     /// <summary>Takes the time of trials in turns, so that what slows the machine for a while slows all of them.</summary>
     /// <param name="trials">The trials; their <see cref="Trial.NanosecondsPerStep"/> is set.</param>
     /// <param name="seconds">How long each of them runs in a turn.</param>
@@ -34,6 +39,47 @@ public static class StepClock
                     trials[i].NanosecondsPerStep = time;
 
                 progress?.Invoke((turn * trials.Count + i + 1.0) / ((repeats + 1.0) * trials.Count));
+            }
+        }
+    }
+
+    /// <summary>The time between two ticks of the clock, s: what it cannot tell apart.</summary>
+    internal static double Tick()
+    {
+        const int Looks = 10;
+        long least = long.MaxValue;
+        for (int i = 0; i < Looks; i++)
+        {
+            long now = Stopwatch.GetTimestamp(), next = now;
+            while (next == now)
+                next = Stopwatch.GetTimestamp();
+
+            least = Math.Min(least, next - now);
+        }
+
+        return (double)least / Stopwatch.Frequency;
+    }
+
+    /// <summary>How long a trial runs at least before the next has its turn, by a clock with that tick, s.</summary>
+    internal static double SecondsAtOnce(double tick) => Math.Max(LeastSeconds, Ticks * tick);
+
+    /// <summary>Takes the time of trials in turns until some seconds are over, by a clock that may be coarse: as many steps at once as take many of its ticks.</summary>
+    internal static void TakeWithin(IReadOnlyList<Trial> trials, double seconds, Action<double>? progress = null)
+    {
+        Stopwatch all = Stopwatch.StartNew();
+        double tick = Tick();
+        TimedRun?[] runs = [.. trials.Select(trial => Guard.IsFinite(trial.Error) ? new TimedRun(trial.Scene, tick > FineTick ? LongPiece : TimedRun.Piece) : null)];
+        double each = SecondsAtOnce(tick);
+        for (int turn = 0; turn <= LeastTurns || all.Elapsed.TotalSeconds < seconds; turn++)
+        {
+            for (int i = 0; i < runs.Length; i++)
+            {
+                double time = runs[i]?.Nanoseconds(each) ?? double.PositiveInfinity;
+                // the first turn is for a runtime that compiles what runs often
+                if (turn > 0 && !(time >= trials[i].NanosecondsPerStep))
+                    trials[i].NanosecondsPerStep = time;
+
+                progress?.Invoke(Math.Min(1, all.Elapsed.TotalSeconds / seconds));
             }
         }
     }

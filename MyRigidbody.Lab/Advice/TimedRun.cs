@@ -8,25 +8,26 @@ internal sealed class TimedRun
     /// <summary>A run that is too long to be timed whole is timed in pieces from here on: effects may act for a part of it only.</summary>
     internal const int MostPlaces = 16;
 
-    // so many steps take long beside a look at the clock
-    private const long Piece = 250;
+    /// <summary>So many steps take long beside a look at the clock.</summary>
+    internal const long Piece = 250;
+
     private const int MostSimulations = 250;
 
     // those of one are timed together
     private readonly List<(Simulation Simulation, SavedSimulation Place)[]> _batches = [];
     private readonly long _piece;
 
-    public TimedRun(SceneDescription scene)
+    public TimedRun(SceneDescription scene, long piece = Piece)
     {
         long count = scene.Steps.Count;
-        if (count <= MostPlaces * Piece)
+        if (count <= MostPlaces * piece)
         {
             _piece = count;
-            _batches.Add([.. Enumerable.Range(0, (int)Math.Clamp(Piece / count, 1, MostSimulations)).Select(_ => Of(scene)).Select(one => (one, one.Save()))]);
+            _batches.Add([.. Enumerable.Range(0, (int)Math.Clamp(piece / count, 1, MostSimulations)).Select(_ => Of(scene)).Select(one => (one, one.Save()))]);
             return;
         }
 
-        _piece = Piece;
+        _piece = piece;
         Simulation run = Of(scene);
         for (int i = 0; i < MostPlaces; i++)
         {

@@ -17,8 +17,7 @@ internal sealed record CostFindings(CostMotion Motion, IReadOnlyList<Trial> Tria
     /// <summary>Takes the errors of all rules first, then the times of all.</summary>
     public static CostFindings Of(CostMotion motion, Effort effort, Action<double> report)
     {
-        double last = motion.Truth.Duration / motion.Truth.BaseStep;
-        int[] parts = [.. Parts.Take(effort.StepSizes).Where(parts => last * parts <= MostSteps)];
+        int[] parts = [.. PartsOf(motion.Truth).Take(effort.StepSizes)];
         List<Trial> trials = [];
         foreach (Rule rule in Rules.All)
         {
@@ -32,6 +31,9 @@ internal sealed record CostFindings(CostMotion Motion, IReadOnlyList<Trial> Tria
         StepClock.Take(trials, effort.SecondsPerTurn, effort.Turns, done => report(0.5 + (0.5 * done)));
         return new CostFindings(motion, trials);
     }
+
+    /// <summary>Those of the parts that a motion is not too long for.</summary>
+    internal static IEnumerable<int> PartsOf(Truth truth) => Parts.Where(parts => truth.Duration / truth.BaseStep * parts <= MostSteps);
 
     /// <summary>The trials of a rule, from the longest step down.</summary>
     public IEnumerable<Trial> Of(Rule rule) => Trials.Where(trial => trial.Rule == rule);

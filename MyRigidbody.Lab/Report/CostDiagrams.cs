@@ -22,7 +22,11 @@ internal sealed record CostDiagrams(IReadOnlyList<CostFindings> Found) : Section
         public string About => found.Motion.Scene.About;
 
         /// <summary>With what it was compared, and how exactly that can be had.</summary>
-        public Word Origin => Words.All["cost.origin"].With(found.Motion.Origin, CostTables.Error(found.Motion.Truth.Floor));
+        public Word Origin => Words.All["cost.origin"].With(Truth, CostTables.Error(found.Motion.Truth.Floor));
+
+        private Word Truth => new(
+            found.Motion.Origin,
+            found.Motion.IsSolved ? "真实运动：已求解到 20 位" : $"真实运动：由本程序不断缩短步长求得，直到结果不再变化；不确定度 {CostTables.Error(found.Motion.Truth.Uncertainty)}");
 
         /// <summary>The errors of the columns.</summary>
         public IEnumerable<string> Bounds => CostFindings.Bounds.Select(bound => bound.ToString("0e+0", CultureInfo.InvariantCulture));

@@ -1,33 +1,43 @@
-using System.Text.Json;
+using System.Globalization;
+using System.Text.Json.Nodes;
 
 namespace RigidBodyDynamics.Lab.Report;
 
-/// <summary>What cost.js draws: every trial of every motion, and its own few words.</summary>
+/// <summary>What cost.js draws: every trial of every motion, and its own few words. Made node by node, since a page in a browser has it too, where nothing is reflected on.</summary>
 internal static class CostJson
 {
     /// <summary>As JSON that cannot end a script.</summary>
-    public static string Of(CostDiagrams section) => JsonSerializer.Serialize(new
+    public static string Of(CostDiagrams section) => new JsonObject
     {
-        sameCost = Advisor.SameCost,
-        words = Words.OfScripts.Where(pair => pair.Key.StartsWith("cost.", StringComparison.Ordinal))
-            .ToDictionary(pair => pair.Key, pair => new { en = pair.Value.En, zh = pair.Value.Zh }),
-        rules = Rules.All.Select(rule => rule.Name),
-        motions = section.Found.Select(found => new
-        {
-            name = found.Motion.Scene.Name,
-            attainable = Rounded(Math.Max(found.Motion.Truth.Floor, found.Motion.Truth.Uncertainty)),
-            trials = found.Trials.Where(trial => double.IsFinite(trial.Error)).Select(trial => new object[]
-            {
-                Index(trial.Rule), Rounded(trial.Step), Rounded(trial.Error), Rounded(trial.Cost),
-            }),
-            others = found.Motion.IsSolved && found.Motion.Scene.Name == OtherEngine.Motion
-                ? OtherEngine.All.Select(engine => new object[] { engine.Name, Rounded(engine.AngleError), Rounded(engine.Cost) })
-                : [],
-        }),
-    });
+        ["sameCost"] = Advisor.SameCost,
+        ["words"] = OfWords(Words.OfScripts),
+        ["rules"] = List(Rules.All.Select(rule => (JsonNode)rule.Name)),
+        ["motions"] = List(section.Found.Select(Of)),
+    }.ToJsonString();
+
+    /// <summary>One motion.</summary>
+    public static JsonNode Of(CostFindings found) => new JsonObject
+    {
+        ["name"] = found.Motion.Scene.Name,
+        ["attainable"] = Rounded(Math.Max(found.Motion.Truth.Floor, found.Motion.Truth.Uncertainty)),
+        ["trials"] = List(found.Trials.Where(trial => double.IsFinite(trial.Error)).Select(trial =>
+            (JsonNode)new JsonArray(Index(trial.Rule), Rounded(trial.Step), Rounded(trial.Error), Rounded(trial.Cost)))),
+        ["others"] = List(found.Motion.IsSolved && found.Motion.Scene.Name == OtherEngine.Motion
+            ? OtherEngine.All.Select(engine => (JsonNode)new JsonArray(engine.Name, Rounded(engine.AngleError), Rounded(engine.Cost)))
+            : []),
+    };
+
+    /// <summary>Those of some words that are about the cost.</summary>
+    public static JsonNode OfWords(IEnumerable<KeyValuePair<string, Word>> words) => new JsonObject(
+        words.Where(pair => pair.Key.StartsWith("cost", StringComparison.Ordinal)).Select(pair => KeyValuePair.Create(pair.Key, Both(pair.Value))));
+
+    /// <summary>A text in both languages.</summary>
+    public static JsonNode? Both(Word word) => new JsonObject { ["en"] = word.En, ["zh"] = word.Zh };
+
+    private static JsonArray List(IEnumerable<JsonNode> nodes) => new([.. nodes]);
 
     // what nobody can see in a diagram of seventeen powers of ten is not written
-    private static double Rounded(double value) => double.Parse(value.ToString("G6", System.Globalization.CultureInfo.InvariantCulture), System.Globalization.CultureInfo.InvariantCulture);
+    private static double Rounded(double value) => double.Parse(value.ToString("G6", CultureInfo.InvariantCulture), CultureInfo.InvariantCulture);
 
     private static int Index(Rule rule) => Rules.All.Select((other, i) => (other, i)).First(pair => pair.other == rule).i;
 }

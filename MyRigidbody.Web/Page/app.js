@@ -3,11 +3,14 @@ import './first.js';
 import '../../MyRigidbody.Lab/Report/Page/page.js';
 import './lab.js';
 import { keep, renew } from './offline.js';
+import { openLink, startLink } from './link.js';
 import { startPlay } from './play.js';
 
 const part = name => document.getElementById(name + '-part');
 if (!await renew()) {
+  await openLink();
   await startPlay(part('play'));
+  startLink();
   const [{ startWrite }, { startCost }] = await Promise.all([import('./write.js'), import('./cost.js')]);
   startCost(part('cost'));
   await startWrite(part('write'));
