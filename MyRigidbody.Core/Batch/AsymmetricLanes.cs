@@ -10,7 +10,7 @@ namespace RigidBodyDynamics
     /// The step of <see cref="AsymmetricTop"/> for several bodies at once: its operations in its order, so that each body
     /// comes to the same bits. Where a body wants more than one turn, it alone is turned by its own rule.
     /// </summary>
-    internal struct AsymmetricLanes : ITopLanes
+    internal partial struct AsymmetricLanes : ITopLanes
     {
         public const int Q = CompositionLanes.Columns, QLost = Q + 4, W = QLost + 4, WLost = W + 3;
         public const int Energy = WLost + 3, Separation = Energy + 1, Scale = Energy + 2, PreparedFor = Energy + 3;
@@ -22,6 +22,8 @@ namespace RigidBodyDynamics
         private AsymmetricTop _one;
         private TopShape _shape;
         private Lanes _i1, _i3, _k1, _k2, _k3, _k1k2, _k1k3, _g1, _g3, _m1, _m3;
+        // what one pass over a block leaves to the next
+        private Columns _left;
 
         public int Columns => Turns + 1;
 
@@ -40,6 +42,8 @@ namespace RigidBodyDynamics
             _g3 = new Lanes(_shape.G3);
             _m1 = new Lanes(_shape.M1);
             _m3 = new Lanes(_shape.M3);
+            _left = new Columns(WLost0 + 3);
+            _left.Reserve(RigidBodyDynamics.Columns.RowsOfBlock);
         }
 
         public Vector3d FromBody(Vector3d v) => _shape.Axes.FromBody(v);
@@ -81,23 +85,51 @@ namespace RigidBodyDynamics
                 Fold(bodies, small);
         }
 
-        [MethodImpl(MethodImplOptions.AggressiveInlining)]
-        public void Advance(in Group bodies, double time)
+        public void Advance(in Block bodies, double time)
         {
-            Lanes scaled = new Lanes(time) * bodies[Scale];
-            if (!Vector.EqualsAll(scaled, bodies[PreparedFor]))
-                Prepare(bodies, scaled, time);
-
-            Lanes turns = bodies[Turns];
-            if (Vector.EqualsAll(turns, Lanes.One))
+            if (bodies.ReadyFor == time || Prepare(bodies, time))
+            {
                 TurnShort(bodies);
-            else if (Vector.EqualsAll(turns, Lanes.Zero))
                 return;
-            else if (Vector.LessThanOrEqualAll(Vector.Abs(turns), Lanes.One))
-                TurnAny(bodies);
-            else
-                TurnOneByOne(bodies, time);
+            }
+
+            for (int i = 0; i < bodies.Rows; i += Lanes.Count)
+            {
+                Block few = bodies.Part(i, Lanes.Count);
+                Group group = few.At(0);
+                if (AreShort(group))
+                    TurnShort(few);
+                else if (Vector.LessThanOrEqualAll(Vector.Abs(group[Turns]), Lanes.One))
+                    TurnAny(few);
+                else
+                    TurnOneByOne(group, time);
+            }
         }
+
+        /// <summary>Prepares where that is wanted. True if all bodies are to make one short turn.</summary>
+        private bool Prepare(in Block bodies, double time)
+        {
+            bool areShort = true;
+            for (int i = 0; i < bodies.Rows; i += Lanes.Count)
+            {
+                Group group = bodies.At(i);
+                Lanes scaled = new Lanes(time) * group[Scale];
+                if (!Vector.EqualsAll(scaled, group[PreparedFor]))
+                    Prepare(group, scaled, time);
+
+                areShort &= AreShort(group);
+            }
+
+            // a part of a block can say nothing about all of it
+            if (areShort && bodies.IsWhole)
+                bodies.ReadyFor = time;
+
+            return areShort;
+        }
+
+        /// <summary>True if each makes one short turn, whose C is what is left of 1 by V.</summary>
+        private static bool AreShort(in Group bodies) => Vector.EqualsAll(bodies[Turns], Lanes.One)
+            && Vector.EqualsAll(bodies[C1], Lanes.One - bodies[V1]) && Vector.EqualsAll(bodies[C3], Lanes.One - bodies[V3]);
 
         /// <summary>Prepares those that are prepared for another time.</summary>
         private void Prepare(in Group bodies, Lanes scaled, double time)
@@ -164,87 +196,6 @@ namespace RigidBodyDynamics
                 one.Advance(time);
                 one.Carry(bodies.Row(i, isOut: true), isAll: true);
             }
-        }
-
-        [MethodImpl(Kernel.Compiled)]
-        private void TurnShort(in Group bodies) => Turn(bodies, areShort: true);
-
-        [MethodImpl(Kernel.Compiled)]
-        private void TurnAny(in Group bodies) => Turn(bodies, areShort: false);
-
-        /// <summary>One turn of each; where not all are short, some of those that are not may be at rest.</summary>
-        [MethodImpl(MethodImplOptions.AggressiveInlining)]
-        private void Turn(in Group bodies, bool areShort)
-        {
-            VectorLanes w = new VectorLanes(bodies, W), wLost = new VectorLanes(bodies, WLost);
-            Lanes w1 = w.X, w2 = w.Y, w3 = w.Z, o = bodies[S], v1 = bodies[V1], v3 = bodies[V3], k1o = _k1 * o;
-            Lanes k = _k1k3 * o * o * w2 * w2, inverse = Lanes.One / (Lanes.One - k);
-            Lanes d1 = (w1 * (k - v1) + k1o * bodies[C3] * w2 * w3) * inverse;
-            Lanes d2 = (w2 * (k - (v1 + v3 - v1 * v3)) + _k2 * o * w3 * w1) * inverse;
-            Lanes d3 = (w3 * (k - v3) + _k3 * o * bodies[C1] * w1 * w2) * inverse;
-            Lanes p1 = w1, p2 = w2, p3 = w3;
-            Masks isShort = default(Masks), isAtRest = default(Masks);
-            if (!areShort)
-            {
-                isShort = Vector.GreaterThan(bodies[Turns], Lanes.Zero);
-                isAtRest = Vector.Equals(bodies[Turns], Lanes.Zero);
-                Lanes oc1 = bodies[C1], oc3 = bodies[C3];
-                inverse = Lanes.One / (oc1 * oc1 - _k1k2 * o * o * w3 * w3);
-                p1 = Vector.ConditionalSelect(isShort, w1, (w1 * oc1 + k1o * oc3 * w2 * w3) * inverse);
-                p2 = Vector.ConditionalSelect(isShort, w2, (w2 * oc1 * oc3 + _k2 * o * w3 * w1) * inverse);
-                p3 = Vector.ConditionalSelect(isShort, w3, (w3 * oc3 + _k3 * o * oc1 * w1 * w2) * inverse);
-                d1 = Vector.ConditionalSelect(isShort, d1, p1 - w1);
-                d2 = Vector.ConditionalSelect(isShort, d2, p2 - w2);
-                d3 = Vector.ConditionalSelect(isShort, d3, p3 - w3);
-            }
-
-            Lanes half = new Lanes(0.5), two = new Lanes(2), inverseEnergy = bodies[InverseEnergy];
-            Lanes a = inverseEnergy * (_i1 * p1 * p1 + p2 * p2 + _i3 * p3 * p3) - half;
-            Lanes x1 = _m1 * p1 * p1, x3 = _m3 * p3 * p3, x = x1 - x3, lambda = two * inverseEnergy * x;
-            Lanes b = (x - two * a * x - bodies[Separation]) / (two * (_g3 * x1 + _g1 * x3) + new Lanes(AsymmetricTop.Tiny));
-            d1 -= p1 * (a + b * (_g3 - lambda));
-            d2 -= p2 * (a - b * lambda);
-            d3 -= p3 * (a - b * (_g1 + lambda));
-            Change(ref w, ref wLost, d1, d2, d3);
-
-            Lanes c = bodies[C], z = bodies[Z];
-            Lanes m1 = _i1 * w1, m2 = w2, m3 = _i3 * w3, c1 = _i1 * d1, c2 = d2, c3 = _i3 * d3;
-            Lanes s1 = two * m1 + c1, s2 = two * m2 + c2, s3 = two * m3 + c3;
-            Lanes r0 = half * c * (s1 * s1 + s2 * s2 + s3 * s3);
-            Lanes r1 = c * (c2 * m3 - c3 * m2) + z * s1;
-            Lanes r2 = c * (c3 * m1 - c1 * m3) + z * s2;
-            Lanes r3 = c * (c1 * m2 - c2 * m1) + z * s3;
-            Lanes vv = r1 * r1 + r2 * r2 + r3 * r3, n = Vector.SquareRoot(r0 * r0 + vv);
-            n = Vector.ConditionalSelect(Vector.LessThan(r0, Lanes.Zero), -n, n);
-            Lanes f = Lanes.One / (n * (n + r0)), v = f * (n + r0);
-            QuaternionLanes q = new QuaternionLanes(bodies, Q), qLost = new QuaternionLanes(bodies, QLost);
-            VectorLanes momentum = areShort ? default(VectorLanes) : q.Rotate(new VectorLanes(m1, m2, m3));
-            SmallTurn.Add(ref q, ref qLost, q * new QuaternionLanes(-vv * f, v * r1, v * r2, v * r3));
-            if (Vector.LessThanAny(r0, Lanes.Zero))
-            {
-                Lanes sign = Vector.ConditionalSelect(Vector.LessThan(r0, Lanes.Zero), new Lanes(-1), Lanes.One);
-                q = sign * q;
-                qLost = sign * qLost;
-            }
-
-            if (!areShort)
-            {
-                QuaternionLanes kept = q, keptLost = qLost;
-                VectorLanes now = q.Rotate(new VectorLanes(_i1 * w.X, w.Y, _i3 * w.Z));
-                VectorLanes back = half / VectorLanes.Dot(now, now) * VectorLanes.Cross(now, momentum);
-                SmallTurn.Add(ref kept, ref keptLost, new QuaternionLanes(Lanes.Zero, back) * q);
-                q = QuaternionLanes.Choose(isShort, q, kept);
-                qLost = QuaternionLanes.Choose(isShort, qLost, keptLost);
-                q = QuaternionLanes.Choose(isAtRest, new QuaternionLanes(bodies, Q), q);
-                qLost = QuaternionLanes.Choose(isAtRest, new QuaternionLanes(bodies, QLost), qLost);
-                w = VectorLanes.Choose(isAtRest, new VectorLanes(bodies, W), w);
-                wLost = VectorLanes.Choose(isAtRest, new VectorLanes(bodies, WLost), wLost);
-            }
-
-            w.Write(bodies, W);
-            wLost.Write(bodies, WLost);
-            q.Write(bodies, Q);
-            qLost.Write(bodies, QLost);
         }
 
         [MethodImpl(MethodImplOptions.AggressiveInlining)]

@@ -9,18 +9,23 @@ namespace RigidBodyDynamics
 {
     /// <summary>
     /// The numbers of many bodies, a column for each kind of number and a row for each body, so that the same number of
-    /// neighbouring bodies is one vector. The rows up to a multiple of the vector's width are there, lived in or not. What is touched
+    /// neighbouring bodies is one vector. The rows up to the end of the last block are there, lived in or not. What is touched
     /// one body at a time lies row after row instead.
     /// </summary>
     internal sealed class Columns
     {
-        // columns that start at the same address modulo 4096 would push one another out of the cache
-        private const int Apart = 12;
+        /// <summary>How many neighbours a block has: their numbers stay in the innermost cache from one pass over them to the next.</summary>
+        public const int RowsOfBlock = 32;
+
+        // doubles of a line of the cache; columns that start at the same address modulo 4096 would push one another out of it
+        private const int Line = 8;
 
         private readonly bool _areRows;
         private double[] _numbers = Array.Empty<double>();
-        // from a number to the next of the same body, and to the same of the next body
-        private int _stride, _next;
+        // of each block, what has been found out about all its bodies
+        private double[] _ready = Array.Empty<double>();
+        // where the first number is; from a number to the next of the same body, and to the same of the next body
+        private int _first, _stride, _next;
 
         public Columns(int count, bool areRows = false)
         {
@@ -34,18 +39,28 @@ namespace RigidBodyDynamics
         /// <summary>How many rows there are.</summary>
         public int Rows { get; private set; }
 
-        /// <summary>As many neighbours as a vector has lanes, from a row on that is a multiple of them.</summary>
+        /// <summary>The end of the block in which a row is.</summary>
+        public static int EndOfBlock(int row) => (row / RowsOfBlock + 1) * RowsOfBlock;
+
+        /// <summary>Neighbours from one row to another of the same block, in whole vectors.</summary>
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
-        public Group At(int row) => new Group(_numbers.AsSpan(row, (Count - 1) * _stride + Lanes.Count), _stride);
+        public Block From(int row, int to) =>
+            new Block(_numbers.AsSpan(_first + row, (Count - 1) * _stride + to - row), _stride, to - row, ref _ready[row / RowsOfBlock]);
 
         /// <summary>The numbers of one body, to be carried into its struct or out of it.</summary>
-        public Row Row(int row, bool isOut) => new Row(_numbers.AsSpan(row * _next), _stride, isOut);
+        public Row Row(int row, bool isOut)
+        {
+            if (isOut)
+                Change(row, row + 1);
+
+            return new Row(_numbers.AsSpan(_first + row * _next), _stride, isOut);
+        }
 
         /// <summary>The squares of one number of some bodies, summed in any order.</summary>
         [MethodImpl(Kernel.Compiled)]
         public double SumOfSquares(int column, int from, int to)
         {
-            ReadOnlySpan<double> numbers = _numbers.AsSpan((column * _stride) + from, to - from);
+            ReadOnlySpan<double> numbers = _numbers.AsSpan(_first + (column * _stride) + from, to - from);
             ReadOnlySpan<Lanes> lanes = MemoryMarshal.Cast<double, Lanes>(numbers);
             Lanes a = Lanes.Zero, b = Lanes.Zero;
             int i = 0;
@@ -62,30 +77,35 @@ namespace RigidBodyDynamics
             return sum + Vector.Sum(a + b);
         }
 
-        /// <summary>Makes room for a power of two of rows, at least <see cref="Vector{T}.Count"/>.</summary>
+        /// <summary>Makes room for a number of rows, or a few more.</summary>
         public void Reserve(int rows)
         {
-            int stride = _areRows ? 1 : rows + Apart;
-            double[] numbers = new double[checked(Count * (rows + Apart))];
+            Columns old = (Columns)MemberwiseClone();
+            rows = (rows + RowsOfBlock - 1) / RowsOfBlock * RowsOfBlock;
+            _stride = _areRows ? 1 : rows + Line;
+            _next = _areRows ? Count : 1;
+            _numbers = GC.AllocateArray<double>(checked(Count * (rows + Line) + Line), pinned: true);
+            long address = (long)Marshal.UnsafeAddrOfPinnedArrayElement(_numbers, 0);
+            _first = (int)(-(address / sizeof(double)) & (Line - 1));
+            Rows = rows;
+            _ready = new double[_areRows ? 0 : rows / RowsOfBlock];
+            Change(0, rows);
             if (_areRows)
-                Array.Copy(_numbers, numbers, Count * Rows);
+                Array.Copy(old._numbers, old._first, _numbers, _first, Count * old.Rows);
 
             for (int i = 0; !_areRows && i < Count; i++)
-                Array.Copy(_numbers, i * _stride, numbers, i * stride, Rows);
-
-            _numbers = numbers;
-            Rows = rows;
-            _stride = stride;
-            _next = _areRows ? Count : 1;
+                Array.Copy(old._numbers, old._first + i * old._stride, _numbers, _first + i * _stride, old.Rows);
         }
 
         /// <summary>Copies rows to another with the same columns.</summary>
         public void CopyTo(Columns other, int from, int to)
         {
             double[] numbers = _numbers, others = other._numbers;
+            other.Change(from, to);
             for (int row = from; row < to; row++)
             {
-                for (int i = 0, here = row * _next, there = row * other._next; i < Count; i++, here += _stride, there += other._stride)
+                int here = _first + row * _next, there = other._first + row * other._next;
+                for (int i = 0; i < Count; i++, here += _stride, there += other._stride)
                     others[there] = numbers[here];
             }
         }
@@ -93,32 +113,73 @@ namespace RigidBodyDynamics
         /// <summary>Makes them as others are that have as many columns.</summary>
         public void CopyFrom(Columns other)
         {
-            if (_numbers.Length != other._numbers.Length)
-                _numbers = new double[other._numbers.Length];
+            if (Rows != other.Rows)
+                Reserve(other.Rows);
 
-            Array.Copy(other._numbers, _numbers, _numbers.Length);
-            Rows = other.Rows;
-            _stride = other._stride;
-            _next = other._next;
+            Array.Copy(other._numbers, other._first, _numbers, _first, Count * (Rows + Line));
+            Change(0, Rows);
         }
 
         /// <summary>Copies one row over another.</summary>
         public void Move(int from, int to)
         {
-            for (int i = 0; i < Count; i++)
-                _numbers[i * _stride + to * _next] = _numbers[i * _stride + from * _next];
+            Change(to, to + 1);
+            for (int i = _first, end = i + Count * _stride; i < end; i += _stride)
+                _numbers[i + to * _next] = _numbers[i + from * _next];
         }
+
+        /// <summary>What was found out about blocks holds no longer.</summary>
+        private void Change(int from, int to)
+        {
+            for (int block = from / RowsOfBlock; block < _ready.Length && block * RowsOfBlock < to; block++)
+                _ready[block] = double.NaN;
+        }
+    }
+
+    /// <summary>Neighbours of one block, so many that it takes whole vectors.</summary>
+    internal readonly ref struct Block
+    {
+        /// <summary>How many they are.</summary>
+        public readonly int Rows;
+
+        private readonly Span<double> _numbers, _ready;
+        // in the width of an address, so that it need not be widened for every access
+        private readonly long _stride;
+
+        public Block(Span<double> numbers, long stride, int rows, ref double ready)
+        {
+            _numbers = numbers;
+            _stride = stride;
+            _ready = MemoryMarshal.CreateSpan(ref ready, 1);
+            Rows = rows;
+        }
+
+        /// <summary>The length (s) of a step for which all bodies of the whole block are ready; not a number where that is not known.</summary>
+        public double ReadyFor
+        {
+            get => _ready[0];
+            set => _ready[0] = value;
+        }
+
+        /// <summary>True if there are no others in the block.</summary>
+        public bool IsWhole => Rows == Columns.RowsOfBlock;
+
+        /// <summary>Some of them, from one of them on.</summary>
+        public Block Part(int row, int rows) => new Block(_numbers.Slice(row), _stride, rows, ref _ready[0]);
+
+        /// <summary>As many neighbours as a vector has lanes, from one of them on.</summary>
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        public Group At(int row) => new Group(_numbers.Slice(row), _stride);
     }
 
     /// <summary>The numbers of neighbours that are computed together: of each column one vector.</summary>
     internal readonly ref struct Group
     {
         private readonly Span<double> _numbers;
-        // in the width of an address, so that it need not be widened for every access
         private readonly long _stride;
 
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
-        public Group(Span<double> numbers, int stride)
+        public Group(Span<double> numbers, long stride)
         {
             _numbers = numbers;
             _stride = stride;

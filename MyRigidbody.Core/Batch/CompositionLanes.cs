@@ -91,24 +91,22 @@ namespace RigidBodyDynamics
             Compose(impulses, stages);
         }
 
-        [MethodImpl(Kernel.Compiled)]
         private void Coast()
         {
-            for (int i = _from; i < _to; i += Lanes.Count)
+            for (int i = _from, end; i < _to; i = end)
             {
-                Group bodies = Bodies.At(i);
+                Block bodies = Bodies.From(i, end = Math.Min(_to, Columns.EndOfBlock(i)));
                 Advance(bodies, _dt, _whole);
                 if (_decaysPerStep)
                     Decelerate(bodies);
             }
         }
 
-        [MethodImpl(Kernel.Compiled)]
         private void Compose(ReadOnlySpan<SharedImpulse> impulses, ReadOnlySpan<Stage> stages)
         {
-            for (int i = _from; i < _to; i += Lanes.Count)
+            for (int i = _from, end; i < _to; i = end)
             {
-                Group bodies = Bodies.At(i);
+                Block bodies = Bodies.From(i, end = Math.Min(_to, Columns.EndOfBlock(i)));
                 for (int k = 0; k < stages.Length; k++)
                 {
                     Kick(bodies, impulses[k]);
@@ -121,47 +119,64 @@ namespace RigidBodyDynamics
             }
         }
 
-        [MethodImpl(MethodImplOptions.AggressiveInlining)]
-        private void Advance(in Group bodies, double length, in Drift drift)
+        [MethodImpl(Kernel.Compiled)]
+        private void Advance(in Block bodies, double length, in Drift drift)
         {
-            if (drift.IsFree)
-            {
-                Add(bodies, X, XLost, length * new VectorLanes(bodies, V));
-                _top.Advance(bodies, length);
-                return;
-            }
+            for (int i = 0; drift.IsFree && i < bodies.Rows; i += Lanes.Count)
+                Add(bodies.At(i), X, XLost, length * new VectorLanes(bodies.At(i), V));
 
-            if (_canMove)
+            for (int i = 0; !drift.IsFree && _canMove && i < bodies.Rows; i += Lanes.Count)
             {
-                VectorLanes x = new VectorLanes(bodies, X), xLost = new VectorLanes(bodies, XLost);
-                VectorLanes v = new VectorLanes(bodies, V), vLost = new VectorLanes(bodies, VLost);
+                Group group = bodies.At(i);
+                VectorLanes x = new VectorLanes(group, X), xLost = new VectorLanes(group, XLost);
+                VectorLanes v = new VectorLanes(group, V), vLost = new VectorLanes(group, VLost);
                 drift.Move(ref x, ref xLost, ref v, ref vLost);
-                x.Write(bodies, X);
-                xLost.Write(bodies, XLost);
-                v.Write(bodies, V);
-                vLost.Write(bodies, VLost);
+                x.Write(group, X);
+                xLost.Write(group, XLost);
+                v.Write(group, V);
+                vLost.Write(group, VLost);
             }
 
-            _top.Advance(bodies, drift.TurningTime);
-            _top.Damp(bodies, drift.AngularDecay);
+            _top.Advance(bodies, drift.IsFree ? length : drift.TurningTime);
+            Damp(bodies, drift.AngularDecay);
         }
 
-        [MethodImpl(MethodImplOptions.AggressiveInlining)]
-        private void Kick(in Group bodies, in SharedImpulse impulse)
+        [MethodImpl(Kernel.Compiled)]
+        private void Kick(in Block bodies, in SharedImpulse impulse)
         {
-            if ((impulse.Does & EffectTraits.Moves) != 0)
-                Add(bodies, V, VLost, new VectorLanes(impulse.Velocity));
+            for (int i = 0; (impulse.Does & EffectTraits.Moves) != 0 && i < bodies.Rows; i += Lanes.Count)
+                Add(bodies.At(i), V, VLost, new VectorLanes(impulse.Velocity));
 
-            if ((impulse.Does & EffectTraits.Turns) != 0)
-                _top.Kick(bodies, impulse);
+            if ((impulse.Does & EffectTraits.Turns) == 0)
+                return;
+
+            bodies.ReadyFor = double.NaN;
+            for (int i = 0; i < bodies.Rows; i += Lanes.Count)
+                _top.Kick(bodies.At(i), impulse);
         }
 
-        [MethodImpl(MethodImplOptions.AggressiveInlining)]
-        private void Decelerate(in Group bodies)
+        [MethodImpl(Kernel.Compiled)]
+        private void Damp(in Block bodies, in Decay decay)
         {
-            Decay.By(_coasting.LinearFactorPerStep, new VectorLanes(bodies, V)).Write(bodies, V);
-            Decay.By(_coasting.LinearFactorPerStep, new VectorLanes(bodies, VLost)).Write(bodies, VLost);
-            _top.Damp(bodies, _perStep);
+            if (decay.IsNone)
+                return;
+
+            bodies.ReadyFor = double.NaN;
+            for (int i = 0; i < bodies.Rows; i += Lanes.Count)
+                _top.Damp(bodies.At(i), decay);
+        }
+
+        [MethodImpl(Kernel.Compiled)]
+        private void Decelerate(in Block bodies)
+        {
+            for (int i = 0; i < bodies.Rows; i += Lanes.Count)
+            {
+                Group group = bodies.At(i);
+                Decay.By(_coasting.LinearFactorPerStep, new VectorLanes(group, V)).Write(group, V);
+                Decay.By(_coasting.LinearFactorPerStep, new VectorLanes(group, VLost)).Write(group, VLost);
+            }
+
+            Damp(bodies, _perStep);
         }
 
         [MethodImpl(MethodImplOptions.AggressiveInlining)]

@@ -77,16 +77,18 @@ namespace RigidBodyDynamics
             Wrench load = default(Wrench);
             BodyState unread = default(BodyState);
             push.At(now, unread, _mass, ref load);
-            Run(load, _canTurn && (push.Traits & EffectTraits.Turns) != 0);
+            bool isTurned = _canTurn && (push.Traits & EffectTraits.Turns) != 0;
+            for (int i = _from, end; i < _to; i = end)
+                Run(Bodies.From(i, end = Math.Min(_to, Columns.EndOfBlock(i))), load, isTurned);
         }
 
         [MethodImpl(Kernel.Compiled)]
-        private void Run(in Wrench load, bool isTurned)
+        private void Run(in Block block, in Wrench load, bool isTurned)
         {
             VectorLanes gain = new VectorLanes(_dt * (load.Force / _mass.Mass + _gravity)), center = new VectorLanes(_mass.CenterOfMass);
-            for (int i = _from; i < _to; i += Lanes.Count)
+            for (int i = 0; i < block.Rows; i += Lanes.Count)
             {
-                Group bodies = Bodies.At(i);
+                Group bodies = block.At(i);
                 VectorLanes x = new VectorLanes(bodies, X), v = new VectorLanes(bodies, V);
                 if (_canMove)
                 {

@@ -141,15 +141,16 @@ namespace RigidBodyDynamics
         {
             Columns probe = new Columns(_now.Count);
             probe.Reserve(Width);
+            Group first = probe.From(0, Width).At(0);
             for (int i = 0; i < probe.Count; i++)
-                probe.At(0)[i] = new Lanes(double.NaN);
+                first[i] = new Lanes(double.NaN);
 
             TBody one = _one;
             Carry(ref one, probe.Row(0, isOut: true), isAll: false);
             List<int> seen = new List<int>();
             for (int i = 0; i < probe.Count; i++)
             {
-                if (!double.IsNaN(probe.At(0)[i][0]))
+                if (!double.IsNaN(first[i][0]))
                     seen.Add(i);
             }
 

@@ -64,16 +64,20 @@ namespace RigidBodyDynamics
             bodies[PreparedFor] = new Lanes(double.NaN);
         }
 
-        [MethodImpl(MethodImplOptions.AggressiveInlining)]
-        public void Advance(in Group bodies, double time)
+        [MethodImpl(Kernel.Compiled)]
+        public void Advance(in Block bodies, double time)
         {
-            if (!Vector.EqualsAll(new Lanes(time), bodies[PreparedFor]))
-                Prepare(bodies, time);
+            for (int i = 0; i < bodies.Rows; i += Lanes.Count)
+            {
+                Group group = bodies.At(i);
+                if (!Vector.EqualsAll(new Lanes(time), group[PreparedFor]))
+                    Prepare(group, time);
 
-            QuaternionLanes q = new QuaternionLanes(bodies, Q), lost = new QuaternionLanes(bodies, QLost);
-            SmallTurn.Add(ref q, ref lost, new QuaternionLanes(bodies, Turn) * q);
-            q.Write(bodies, Q);
-            lost.Write(bodies, QLost);
+                QuaternionLanes q = new QuaternionLanes(group, Q), lost = new QuaternionLanes(group, QLost);
+                SmallTurn.Add(ref q, ref lost, new QuaternionLanes(group, Turn) * q);
+                q.Write(group, Q);
+                lost.Write(group, QLost);
+            }
         }
 
         /// <summary>For all of them: the turn of one that is prepared already comes out as it is.</summary>

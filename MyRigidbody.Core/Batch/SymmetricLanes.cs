@@ -87,22 +87,26 @@ namespace RigidBodyDynamics
             bodies[PreparedFor] = new Lanes(double.NaN);
         }
 
-        [MethodImpl(MethodImplOptions.AggressiveInlining)]
-        public void Advance(in Group bodies, double time)
+        [MethodImpl(Kernel.Compiled)]
+        public void Advance(in Block bodies, double time)
         {
-            if (!Vector.EqualsAll(new Lanes(time), bodies[PreparedFor]))
-                Prepare(bodies, time);
+            for (int i = 0; i < bodies.Rows; i += Lanes.Count)
+            {
+                Group group = bodies.At(i);
+                if (!Vector.EqualsAll(new Lanes(time), group[PreparedFor]))
+                    Prepare(group, time);
 
-            QuaternionLanes q = new QuaternionLanes(bodies, Q), lost = new QuaternionLanes(bodies, QLost);
-            QuaternionLanes d = new QuaternionLanes(bodies, Turn) * q, p = q + d;
-            Lanes w = bodies[SpinW], z = bodies[SpinZ];
-            SmallTurn.Add(ref q, ref lost, new QuaternionLanes(
-                d.W + p.W * w - p.Z * z,
-                d.X + p.X * w + p.Y * z,
-                d.Y + p.Y * w - p.X * z,
-                d.Z + p.Z * w + p.W * z));
-            q.Write(bodies, Q);
-            lost.Write(bodies, QLost);
+                QuaternionLanes q = new QuaternionLanes(group, Q), lost = new QuaternionLanes(group, QLost);
+                QuaternionLanes d = new QuaternionLanes(group, Turn) * q, p = q + d;
+                Lanes w = group[SpinW], z = group[SpinZ];
+                SmallTurn.Add(ref q, ref lost, new QuaternionLanes(
+                    d.W + p.W * w - p.Z * z,
+                    d.X + p.X * w + p.Y * z,
+                    d.Y + p.Y * w - p.X * z,
+                    d.Z + p.Z * w + p.W * z));
+                q.Write(group, Q);
+                lost.Write(group, QLost);
+            }
         }
 
         /// <summary>For all of them: the constants of one that is prepared already come out as they are.</summary>

@@ -22,7 +22,7 @@ namespace RigidBodyDynamics
         private Helper[] _helpers = Array.Empty<Helper>();
         private Exception _failure;
         // counted down: one who comes late finds none left, whatever is being prepared next
-        private int _untaken, _unfinished;
+        private int _parts, _untaken, _unfinished;
 
         /// <summary>A team for one kind of work.</summary>
         /// <param name="newTool">Makes a tool.</param>
@@ -59,7 +59,7 @@ namespace RigidBodyDynamics
                 return;
 
             _failure = null;
-            _unfinished = parts;
+            _parts = _unfinished = parts;
             _done.Reset();
             Volatile.Write(ref _untaken, parts);
             for (int i = 0; i < _helpers.Length && i < parts - 1; i++)
@@ -77,7 +77,8 @@ namespace RigidBodyDynamics
             {
                 try
                 {
-                    _work(tool, part);
+                    // in the order in which they lie in memory
+                    _work(tool, _parts - 1 - part);
                 }
                 catch (Exception failure)
                 {

@@ -15,7 +15,8 @@ namespace RigidBodyDynamics
         /// <summary>A vector in world axes, in the axes of the world in the order in which the top wants them.</summary>
         Vector3d FromWorld(Vector3d v);
 
-        void Advance(in Group bodies, double time);
+        /// <summary>Turns the bodies of a block.</summary>
+        void Advance(in Block bodies, double time);
 
         void Kick(in Group bodies, in SharedImpulse impulse);
 
@@ -55,7 +56,7 @@ namespace RigidBodyDynamics
 
         public Vector3d FromWorld(Vector3d v) => v;
 
-        public void Advance(in Group bodies, double time) { }
+        public void Advance(in Block bodies, double time) { }
 
         public void Kick(in Group bodies, in SharedImpulse impulse) { }
 
