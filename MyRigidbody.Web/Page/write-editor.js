@@ -8,6 +8,7 @@ import { language } from './write-csharp.js';
 import { showSigns, signGutter } from './write-signs.js';
 import { theme } from './write-theme.js';
 import { editorPhrases } from './write-words.js';
+import { wrapping } from './write-wrap.js';
 
 // CodeMirror with C#, in a shadow root: there its style sheet is a constructed one, which the page's policy allows.
 export function createEditor(host, text, { say, changed }) {
@@ -22,7 +23,7 @@ export function createEditor(host, text, { say, changed }) {
       extensions: [
         lineNumbers(), signGutter, highlightActiveLine(), highlightActiveLineGutter(), highlightSpecialChars(), drawSelection(),
         history(), language, indentOnInput(), bracketMatching(), closeBrackets(), theme,
-        EditorState.tabSize.of(4), EditorView.lineWrapping, linter(null),
+        EditorState.tabSize.of(4), wrapping, linter(null),
         keymap.of([...closeBracketsKeymap, ...lintKeymap, ...historyKeymap, indentWithTab, ...defaultKeymap]),
         EditorView.updateListener.of(update => update.docChanged && changed()),
         showPanel.of(herePanel), words.of([]),

@@ -35,7 +35,7 @@ const look = EditorView.theme({
   '.cm-diagnostic-info': { borderLeftColor: 'var(--orange)' },
   '.cm-panel.cm-panel-lint ul [aria-selected]': { background: 'color-mix(in srgb, var(--blue) 20%, transparent)' },
   '.cm-panel.cm-panel-lint button': { color: 'var(--ink)', fontSize: '1.4rem', padding: '0 .5rem' },
-  '.here': { padding: '.3rem .6rem', fontFamily: 'system-ui, sans-serif', fontSize: '.95rem', lineHeight: '1.4', minHeight: '2rem', overflowWrap: 'anywhere' },
+  '.here': { padding: '.3rem .6rem', fontFamily: 'system-ui, sans-serif', fontSize: 'var(--code-size, .95rem)', lineHeight: '1.4', minHeight: '2rem', overflowWrap: 'anywhere' },
   '.here.error': { borderLeft: '4px solid var(--red)' },
 });
 
