@@ -29,17 +29,16 @@ internal static class MotionJson
             json.WriteStartArray("pairs");
             motion.Pairs.ForEach(pair => Pair(json, pair));
             json.WriteEndArray();
-            json.WritePropertyName("held");
-            JsonSerializer.Serialize(json, motion.Held.Select(held => new
-            {
-                key = held.IsKey ? held.Name[4..] : null,
-                en = Words.Phrase(held.Name).En,
-                zh = Words.Phrase(held.Name).Zh,
-                from = held.From,
-                to = held.To,
-            }));
-            json.WritePropertyName("words");
-            JsonSerializer.Serialize(json, Words.OfScripts.ToDictionary(word => word.Key, word => new { en = word.Value.En, zh = word.Value.Zh }));
+            json.WriteStartArray("held");
+            foreach (Held held in motion.Held)
+                Write(json, held);
+
+            json.WriteEndArray();
+            json.WriteStartObject("words");
+            foreach ((string name, Word word) in Words.OfScripts)
+                Write(json, name, word);
+
+            json.WriteEndObject();
             json.WriteEndObject();
         }
 
@@ -54,10 +53,7 @@ internal static class MotionJson
         json.WriteString("name", track.Name);
         if (track.Names is { } names)
         {
-            json.WriteStartObject("names");
-            json.WriteString("en", names.En);
-            json.WriteString("zh", names.Zh);
-            json.WriteEndObject();
+            Write(json, "names", names);
         }
 
         Rounded(json, "edges", Parts(track.Edges), Digits);
@@ -69,6 +65,26 @@ internal static class MotionJson
         Rounded(json, "orientation", states.SelectMany(state => Parts(state.Orientation)), Digits);
         Rounded(json, "spin", states.SelectMany(state => Parts(state.AngularVelocity)), Fewer);
         Rounded(json, "energy", states.Select(state => Conserved.KineticEnergy(state, track.Mass)), Fewer);
+        json.WriteEndObject();
+    }
+
+    private static void Write(Utf8JsonWriter json, Held held)
+    {
+        Word name = Words.Phrase(held.Name);
+        json.WriteStartObject();
+        json.WriteString("key", held.IsKey ? held.Name[4..] : null);
+        json.WriteString("en", name.En);
+        json.WriteString("zh", name.Zh);
+        json.WriteNumber("from", held.From);
+        json.WriteNumber("to", held.To);
+        json.WriteEndObject();
+    }
+
+    private static void Write(Utf8JsonWriter json, string name, Word word)
+    {
+        json.WriteStartObject(name);
+        json.WriteString("en", word.En);
+        json.WriteString("zh", word.Zh);
         json.WriteEndObject();
     }
 

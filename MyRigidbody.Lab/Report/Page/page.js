@@ -68,7 +68,7 @@ window.report = (() => {
   });
   dark.addEventListener('change', () => choice().has('theme') || setTheme(dark.matches ? 'dark' : 'light'));
 
-  const report = { data: first, words, on, tell, word, colour, language, show, setLanguage };
+  const report = { data: first?.bodies ? first : null, words, on, tell, word, colour, language, show, setLanguage };
   setLanguage((choice().get('lang') ?? navigator.language).startsWith('zh') ? 'zh' : 'en');
   setTheme(choice().get('theme') ?? (dark.matches ? 'dark' : 'light'));
   return report;
