@@ -31,7 +31,7 @@ internal sealed class Motion
     public List<long> At { get; } = [];
 
     /// <summary>What acts on any of them for a part of the time.</summary>
-    public IReadOnlyList<Held> Held { get; private set; } = [];
+    public IReadOnlyList<Held> Held { get; set; } = [];
 
     /// <summary>The pairs of a comparison.</summary>
     public static Motion Of(SceneFile file, IReadOnlyList<Findings> found)
@@ -123,7 +123,7 @@ internal sealed class Motion
         file.SolidBoxes.GetValueOrDefault(body.Name, body.Mass);
 
     /// <summary>Once each, keys first; what acts all the time is in the plan. An impulse takes no time, and is seen for a part of the run.</summary>
-    private static List<Held> HeldBy(IEnumerable<BodyDescription> bodies, TimeSteps steps)
+    public static IReadOnlyList<Held> HeldBy(IEnumerable<BodyDescription> bodies, TimeSteps steps)
     {
         double end = steps.StartOf(steps.Count);
         return [.. bodies.SelectMany(body => body.Effects)

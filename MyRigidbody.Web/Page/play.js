@@ -1,7 +1,169 @@
+// Play: a scene that moves while keys are held, and what has been played of it.
+import { addWords } from './words.js';
+import words from './play-words.js';
+import './report-parts.js';
 import { start } from './runtime.js';
+import { keys, startButtons } from './play-keys.js';
+import { LiveMotion } from './play-live.js';
+import { startSaving } from './play-save.js';
+import { startTelling } from './play-tell.js';
+import { startPlots } from './play-plots.js';
 
-export async function startPlay(part) {
-  const { RigidBodyDynamics: { Web: { Play: { Live } } } } = await start('play', 'MyRigidbody.Web.Play');
-  const text = await (await fetch('scenes/lab.json')).text();
-  part.append(Live.NameOf('lab.json', text));
+const byId = id => document.getElementById(id);
+const gallery = ['lab', 'lab-box', 'homework', 't-handle', 'tumbling-slab', 'hammer', 'heavy-top', 'rocket', 'thruster', 'locked-door', 'fall-with-drag'];
+const meshes = { 't-handle': ['t-handle.obj'] };
+
+addWords(words);
+
+// what is played; live is null while another motion is shown
+const played = { program: null, live: null, opened: null, name: '', text: '', poses: [] };
+
+const get = async (address, as) => {
+  const answer = await fetch(address);
+  if (!answer.ok) {
+    throw new Error(`${address}: ${answer.status}`);
+  }
+
+  return answer[as]();
+};
+
+async function textOf(name) {
+  for (const mesh of meshes[name] ?? []) {
+    played.program.Live.Put(mesh, new Uint8Array(await get('scenes/' + mesh, 'arrayBuffer')));
+  }
+
+  return get(`scenes/${name}.json`, 'text');
+}
+
+// opens a scene, or the one that is open again, at its start; what is wrong with it is said, and nothing changes
+async function open(name = played.name, text = played.text) {
+  const { Live } = played.program;
+  try {
+    const script = lab.state.scriptInPlay ? await scriptOf() : null;
+    const opened = JSON.parse(Live.Open(
+      name + '.json', text, byId('rule').value, byId('unity').checked, !byId('file-keys').checked, script !== null));
+    if (script) {
+      await script.begin(opened.setting);
+    }
+
+    Object.assign(played, { opened, name, text, live: new LiveMotion(played.program, opened, script, stop) });
+    lab.say('');
+    if (!report.words.speed) {
+      addWords(opened.motion.words);
+      report.setLanguage(report.language());
+    }
+
+    report.show(played.live.motion);
+    showScene();
+    return true;
+  } catch (error) {
+    lab.say(error.message);
+    showScene();
+    return false;
+  }
+}
+
+function stop(reason) {
+  report.setPlaying(false);
+  lab.say(reason);
+}
+
+async function openNamed(name) {
+  try {
+    await open(name, await textOf(name));
+  } catch (error) {
+    lab.say(error.message);
+  }
+}
+
+const scriptOf = async () => (await import('./play-script.js')).script(lab.state.script);
+
+// ---- what is chosen ----
+
+function showScene() {
+  const isOwn = !gallery.includes(played.name);
+  report.options('scene', [
+    ...gallery.map(name => [name, report.word('scene.' + name)]), ...(isOwn && played.name ? [[played.name, played.name]] : [])], played.name);
+  byId('about').textContent = played.opened?.about ?? '';
+  byId('file-keys').closest('label').hidden = !played.opened?.motion.held.some(held => held.key && held.to > 0) && byId('file-keys').checked;
+  lab.set({ scene: played.name, sceneText: played.text, rule: byId('rule').value || undefined });
+}
+
+function showRules() {
+  const names = played.program.Live.RuleNames().split('\n');
+  report.options('rule', [['', report.word('play.asInFile')], ...names.map(name => [name, name])], byId('rule').value);
+}
+
+function again() {
+  open().then(isOpen => isOpen && report.setPlaying(true));
+}
+
+function listen() {
+  byId('scene').addEventListener('change', () => openNamed(byId('scene').value));
+  byId('rule').addEventListener('change', again);
+  byId('unity').addEventListener('change', again);
+  byId('file-keys').addEventListener('change', again);
+  byId('again').addEventListener('click', again);
+  byId('back').addEventListener('click', () => report.stepBy(-1));
+  byId('on').addEventListener('click', () => report.stepBy(1));
+  byId('now-on').addEventListener('click', () => report.setTime(report.motion.end));
+  byId('scene-file').addEventListener('change', async () => {
+    const file = byId('scene-file').files[0];
+    if (file) {
+      await open(file.name.replace(/\.json$/, ''), await file.text());
+      byId('scene-file').value = '';
+    }
+  });
+  delete report.keys.ArrowLeft;
+  delete report.keys.ArrowRight;
+  Object.assign(report.keys, { ',': () => report.stepBy(-1), '.': () => report.stepBy(1) });
+  // a key is felt now, whatever part of the past is looked at
+  keys.on(() => played.live && report.setTime(report.motion.end));
+  report.on('own keys', () => byId('file-keys').checked = false);
+  report.on('language', () => {
+    showRules();
+    showScene();
+  });
+  lab.addEventListener('scene', () => lab.state.scene !== played.name && gallery.includes(lab.state.scene) && openNamed(lab.state.scene));
+  lab.addEventListener('sceneText', () => lab.state.sceneText !== undefined && lab.state.sceneText !== played.text && open(lab.state.scene, lab.state.sceneText));
+  lab.addEventListener('rule', () => {
+    if ((lab.state.rule ?? '') !== byId('rule').value) {
+      byId('rule').value = lab.state.rule ?? '';
+      again();
+    }
+  });
+  lab.addEventListener('scriptInPlay', again);
+  lab.addEventListener('script', () => lab.state.scriptInPlay && again());
+  lab.addEventListener('replay', event => show(event.detail.motion));
+}
+
+// a motion that was made elsewhere; the next start from the beginning brings the live one back
+function show(motion) {
+  played.live = null;
+  report.show(motion);
+  report.setPlaying(true);
+}
+
+export async function startPlay() {
+  const { RigidBodyDynamics: { Web: { Play: { Live } } }, numbers } = await start('play', 'MyRigidbody.Web.Play');
+  played.program = { Live, numbers };
+  startButtons(byId('held'));
+  startTelling(played);
+  startSaving(played);
+  startPlots();
+  showRules();
+  if (lab.state.rule && Live.RuleNames().split('\n').includes(lab.state.rule)) {
+    byId('rule').value = lab.state.rule;
+  }
+
+  listen();
+  const named = lab.state.scene;
+  if (lab.state.sceneText !== undefined) {
+    await open(named, lab.state.sceneText);
+  } else {
+    await openNamed(gallery.includes(named) ? named : gallery[0]);
+  }
+
+  report.live = () => played.live;
+  report.setPlaying(!matchMedia('(prefers-reduced-motion: reduce)').matches);
 }

@@ -9,8 +9,8 @@ window.report = (() => {
   const dark = matchMedia('(prefers-color-scheme: dark)');
   const listeners = {};
 
-  // parts of the page tell each other what has changed: "language", "theme", "time"; "motion" when another one is shown, "growth"
-  // when moments have been added to it
+  // parts of the page tell each other what has changed: "language", "theme", "time", "view", "playing"; "motion" when another one is
+  // shown, "growth" when moments have been added to it
   const on = (what, listener) => (listeners[what] ??= []).push(listener);
   const tell = what => (listeners[what] ?? []).forEach(listener => listener());
 
@@ -39,6 +39,11 @@ window.report = (() => {
     nameBodies();
     for (const element of document.querySelectorAll('[data-word]')) {
       element.textContent = word(element.dataset.word);
+    }
+
+    for (const element of document.querySelectorAll('[data-label]')) {
+      element.title = word(element.dataset.label);
+      element.setAttribute('aria-label', element.title);
     }
 
     tell('language');

@@ -57,12 +57,16 @@
   }
 
   function setPlaying(value) {
+    const isChange = playing !== value;
     playing = value;
     if (playing && time >= motion.end && !report.data.advance) {
       setTime(0);
     }
 
     label();
+    if (isChange) {
+      report.tell('playing');
+    }
   }
 
   function stepBy(count) {

@@ -1,0 +1,23 @@
+// The student's script in the live play: its object is moved in the worker, step by step.
+import { ask } from './scripts.js';
+
+export function script({ name, text, beside = [] }) {
+  const files = [{ name, text }, ...beside];
+  const told = answer => {
+    if (answer.finding) {
+      lab.tell('finding', answer.finding);
+    }
+
+    return answer;
+  };
+  return {
+    // puts it on its object at the start of the scene
+    async begin(setting) {
+      const { finding } = told(await ask({ do: 'play', files, setting }));
+      if (finding) {
+        throw new Error(finding[report.language()]);
+      }
+    },
+    step: async (held, count) => told(await ask({ do: 'step', held, count })),
+  };
+}

@@ -1,0 +1,67 @@
+using RigidBodyDynamics.Lab;
+
+namespace RigidBodyDynamics.Web.Play;
+
+/// <summary>The keys of the lab as they were held, by the numbers of steps.</summary>
+internal sealed class Presses
+{
+    /// <summary>A key that is still held is held without an end.</summary>
+    public const long Open = long.MaxValue;
+
+    // a body has at most 1000 effects, and some are the scene's own
+    private const int Most = 900;
+
+    private static readonly (LabKey One, LabKey Other)[] Opposite = [(LabKey.LeftArrow, LabKey.RightArrow), (LabKey.UpArrow, LabKey.DownArrow)];
+
+    private readonly List<(LabKey Key, long From, long To)> _all = [];
+    private int _held;
+
+    /// <summary>Each from the step that felt it first to the first that did not; in the order of keys, in which their forces are added.</summary>
+    public IEnumerable<(LabKey Key, long From, long To)> All => _all.OrderBy(press => press.Key);
+
+    /// <summary>What finds the keys held.</summary>
+    public LabKeyboard Keyboard { get; } = new();
+
+    /// <summary>Which keys are held from a step on. True if that is a change. Keys that push against each other push nothing.</summary>
+    /// <param name="held">A bit for each key, the first of <see cref="LabKey"/> the lowest.</param>
+    /// <param name="step">The next step.</param>
+    /// <exception cref="InputException">There have been as many presses as a scene can hold.</exception>
+    public bool Hold(int held, long step)
+    {
+        foreach ((LabKey one, LabKey other) in Opposite)
+        {
+            int both = (1 << (int)one) | (1 << (int)other);
+            held &= (held & both) == both ? ~both : ~0;
+        }
+
+        if (held == _held)
+            return false;
+
+        if ((held & ~_held) != 0 && _all.Count >= Most)
+            throw new InputException($"keys: a scene holds {Most} presses, and these are more");
+
+        foreach (LabKey key in Enum.GetValues<LabKey>())
+        {
+            int bit = 1 << (int)key;
+            if ((held & bit) != 0 && (_held & bit) == 0)
+                _all.Add((key, step, Open));
+            else if ((held & bit) == 0 && (_held & bit) != 0)
+                Release(key, step);
+
+            Keyboard[key] = (held & bit) != 0;
+        }
+
+        _held = held;
+        return true;
+    }
+
+    private void Release(LabKey key, long step)
+    {
+        int at = _all.FindLastIndex(press => press.Key == key);
+        long from = _all[at].From;
+        if (from < step)
+            _all[at] = (key, from, step);
+        else
+            _all.RemoveAt(at);
+    }
+}
