@@ -19,7 +19,7 @@ export function startSaving(played) {
 
   // a JSON of all that went in, and beside it a CSV of all that came out, for each body that can be one
   function recording() {
-    const files = JSON.parse(Live().Recordings(name(), played.live.poses));
+    const files = JSON.parse(Live().Recordings(played.name + '-recording', played.live.poses));
     files.forEach(file => download(file.name, file.text, file.name.endsWith('.csv') ? 'text/csv' : 'application/json'));
     if (files.length === 0) {
       lab.say(report.word('play.noRecording'));

@@ -145,6 +145,7 @@ function show(motion) {
 }
 
 export async function startPlay() {
+  report.setLanguage(report.language());
   const { RigidBodyDynamics: { Web: { Play: { Live } } }, numbers } = await start('play', 'MyRigidbody.Web.Play');
   played.program = { Live, numbers };
   startButtons(byId('held'));
