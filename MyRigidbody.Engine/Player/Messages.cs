@@ -16,6 +16,11 @@ namespace RigidBodyDynamics.Engine
             RuntimeInitializeLoadType.BeforeSplashScreen, RuntimeInitializeLoadType.BeforeSceneLoad, RuntimeInitializeLoadType.AfterSceneLoad,
         };
 
+        private static readonly Lazy<MethodInfo[]> Initializers = new Lazy<MethodInfo[]>(() => typeof(Messages).Assembly.GetTypes()
+            .SelectMany(type => type.GetMethods(BindingFlags.Static | BindingFlags.Public | BindingFlags.NonPublic | BindingFlags.DeclaredOnly))
+            .Where(method => method.IsDefined(typeof(RuntimeInitializeOnLoadMethodAttribute)))
+            .OrderBy(method => Array.IndexOf(Begins, method.GetCustomAttribute<RuntimeInitializeOnLoadMethodAttribute>().loadType)).ToArray());
+
         private static readonly Dictionary<(Type, string), MethodInfo> Found = new Dictionary<(Type, string), MethodInfo>();
 
         /// <summary>True where who plays wants to see what a script throws.</summary>
@@ -26,19 +31,33 @@ namespace RigidBodyDynamics.Engine
         /// <summary>An exception goes to the console, and the game goes on.</summary>
         public static void Send(MonoBehaviour script, string message, params object[] arguments)
         {
-            MethodInfo method = Find(script.GetType(), message);
-            if (method == null)
-                return;
-
             try
             {
-                method.Invoke(script, method.GetParameters().Length == 0 ? null : arguments);
+                if (arguments.Length > 0)
+                    Invoke(script, Find(script.GetType(), message), arguments);
+                else
+                    CallOf(script, message)();
             }
-            catch (TargetInvocationException wrong) when (!ExceptionsPass)
+            catch (Exception wrong) when (!ExceptionsPass)
             {
-                Debug.LogException(wrong.InnerException, script);
+                Debug.LogException(wrong is TargetInvocationException ? wrong.InnerException : wrong, script);
             }
         }
+
+        // most messages are sent in every frame: the method is looked up once, and called without reflection where it can be
+        private static Action CallOf(MonoBehaviour script, string message)
+        {
+            if (script.Calls.TryGetValue(message, out Action call))
+                return call;
+
+            MethodInfo method = Find(script.GetType(), message);
+            return script.Calls[message] = method != null && method.ReturnType == typeof(void) && method.GetParameters().Length == 0 && !method.ContainsGenericParameters
+                ? (Action)Delegate.CreateDelegate(typeof(Action), script, method)
+                : () => Invoke(script, method, Array.Empty<object>());
+        }
+
+        private static void Invoke(MonoBehaviour script, MethodInfo method, object[] arguments) =>
+            method?.Invoke(script, method.GetParameters().Length == 0 ? null : arguments);
 
         /// <summary>What the editor sends when a value has been set in it.</summary>
         public static void Validate(Component changed)
@@ -50,10 +69,7 @@ namespace RigidBodyDynamics.Engine
         /// <summary>What scripts have called when the game begins.</summary>
         public static void CallInitializers()
         {
-            IEnumerable<MethodInfo> initializers = typeof(Messages).Assembly.GetTypes()
-                .SelectMany(type => type.GetMethods(BindingFlags.Static | BindingFlags.Public | BindingFlags.NonPublic | BindingFlags.DeclaredOnly))
-                .Where(method => method.IsDefined(typeof(RuntimeInitializeOnLoadMethodAttribute)));
-            foreach (MethodInfo method in initializers.OrderBy(method => Array.IndexOf(Begins, method.GetCustomAttribute<RuntimeInitializeOnLoadMethodAttribute>().loadType)))
+            foreach (MethodInfo method in Initializers.Value)
                 method.Invoke(null, null);
         }
 

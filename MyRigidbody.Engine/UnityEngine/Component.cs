@@ -1,5 +1,6 @@
 using System;
 using System.Collections;
+using System.Collections.Generic;
 using RigidBodyDynamics.Engine;
 
 namespace UnityEngine
@@ -62,6 +63,9 @@ namespace UnityEngine
     public class MonoBehaviour : Behaviour
     {
         private bool _isAwake, _isSwitchingOn, _isOn, _isStarted;
+
+        /// <summary>The methods of messages that have been sent.</summary>
+        internal Dictionary<string, Action> Calls { get; } = new Dictionary<string, Action>();
 
         public bool useGUILayout { get; set; } = true;
 

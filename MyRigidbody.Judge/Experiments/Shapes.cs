@@ -40,7 +40,17 @@ namespace RigidBodyDynamics.Judging
             if (names == null || !names.All(n => fields.ContainsKey(n) && IsNumber(fields[n].FieldType)))
                 return null;
             Shape shape = names.Length == 3 ? Shape.Vector : names.Length == 4 ? Shape.Quaternion : Shape.Matrix;
-            return OfParts(name, place, names.Select(n => new[] { fields[n] }), shape, isStatic);
+            FieldInfo[] parts = names.Select(n => fields[n]).ToArray();
+            Func<object, double[]> read = Structures.Of(type) ?? (owner => Array.ConvertAll(parts, part => ToNumber(part.GetValue(owner))));
+            return new Variable(name, shape, isStatic, () => read(place.Value), values =>
+            {
+                object owner = place.Value;
+                for (int i = 0; i < parts.Length; i++)
+                    parts[i].SetValue(owner, FromNumber(values[i], parts[i].FieldType));
+                // a structure was read as a copy
+                if (owner is ValueType)
+                    place.Value = owner;
+            });
         }
 
         private static bool ScalarAndVector(IEnumerable<FieldInfo> fields, out FieldInfo scalar, out FieldInfo vector)

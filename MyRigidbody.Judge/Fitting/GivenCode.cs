@@ -35,7 +35,7 @@ namespace RigidBodyDynamics.Judging
             Observation first = frames.FirstOrDefault(o => o.Index == 0 && o.Run.InertiaAtStart.HasValue && !IsInertia(o.Run.InertiaAtStart.Value, o));
             if (first != null)
             {
-                Vector expected = Diagonal(first.Mass * Matrix.InertiaOf(first.Run.Setting.Vertices));
+                Vector expected = Diagonal(first.Mass * first.Run.InertiaOfMesh);
                 yield return Words.Finding(Step.Given, "inertia-changed", Text.Of(expected), Text.Of(Diagonal(first.Run.InertiaAtStart.Value))).From(first.Run.Name, 0);
             }
         }
@@ -54,7 +54,7 @@ namespace RigidBodyDynamics.Judging
         /// <summary>I_ref of the mesh or of the cube, or the inverse of one of them.</summary>
         private static bool IsInertia(Matrix found, Observation at)
         {
-            Matrix mesh = at.Mass * Matrix.InertiaOf(at.Run.Setting.Vertices), cube = (at.Mass / 2) * Matrix.Identity;
+            Matrix mesh = at.Mass * at.Run.InertiaOfMesh, cube = (at.Mass / 2) * Matrix.Identity;
             return new[] { mesh, cube, mesh.Inverse, cube.Inverse }.Any(expected => (found - expected).Size <= 1e-3 * expected.Size);
         }
 

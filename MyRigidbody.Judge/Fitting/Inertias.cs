@@ -27,16 +27,16 @@ namespace RigidBodyDynamics.Judging
 
         private static Matrix AtStart(Observation o) => o.Run.InertiaAtStart ?? OfMesh(o);
 
-        private static Matrix OfMesh(Observation o) => o.Mass * Matrix.InertiaOf(o.Run.Setting.Vertices);
+        private static Matrix OfMesh(Observation o) => o.Mass * o.Run.InertiaOfMesh;
 
         private static Matrix OfCube(Observation o) => (o.Mass / 2) * Matrix.Identity;
 
         /// <summary>The matrix, or its inverse where it is the inverse that the mesh has.</summary>
         private static Matrix Upright(Matrix kept, Matrix mesh)
         {
-            Matrix inverse = kept.Inverse;
-            bool isInverse = (kept - mesh.Inverse).Size < 1e-3 * mesh.Inverse.Size && (kept - mesh).Size > 1e-3 * mesh.Size;
-            return isInverse ? inverse : kept;
+            Matrix inverse = mesh.Inverse;
+            bool isInverse = (kept - inverse).Size < 1e-3 * inverse.Size && (kept - mesh).Size > 1e-3 * mesh.Size;
+            return isInverse ? kept.Inverse : kept;
         }
     }
 }

@@ -6,6 +6,8 @@ namespace RigidBodyDynamics.Judging
     /// <summary>One experiment, played.</summary>
     public sealed class Run
     {
+        private Matrix? _inertiaOfMesh;
+
         internal Run(string name, Setting setting, Matrix? inertiaAtStart, IReadOnlyList<Frame> frames)
         {
             Name = name;
@@ -22,6 +24,9 @@ namespace RigidBodyDynamics.Judging
         public Matrix? InertiaAtStart { get; }
 
         public IReadOnlyList<Frame> Frames { get; }
+
+        /// <summary>Σ m (r·r 1 − r rᵀ) of the mesh for a mass of 1 kg; every frame asks for it.</summary>
+        internal Matrix InertiaOfMesh => _inertiaOfMesh ?? (_inertiaOfMesh = Matrix.InertiaOf(Setting.Vertices)).Value;
 
         internal bool IsVaried => Frames.Count > 0 && Frames[0].IsSetAnew;
     }

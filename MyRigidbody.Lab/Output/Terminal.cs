@@ -1,4 +1,6 @@
+using System.Text;
 using Spectre.Console;
+using Spectre.Console.Rendering;
 
 namespace RigidBodyDynamics.Lab.Output;
 
@@ -9,17 +11,17 @@ namespace RigidBodyDynamics.Lab.Output;
 internal static class Terminal
 {
     // wide and plain in a pipe
-    private const int PipeWidth = 150;
+    private const int PipeWidth = 150, PipeHeight = 24;
     private const int LongestError = 1000;
 
     /// <summary>A line, however long.</summary>
     public static void WriteLine(string line = "") => Console.Out.WriteLine(Visible.Line(line));
 
     /// <summary>A text of one paragraph, broken between words where the terminal is too narrow for it.</summary>
-    public static void WriteText(string text) => Out().WriteLine(Visible.Line(text));
+    public static void WriteText(string text) => Draw(new Text(Visible.Line(text) + Environment.NewLine));
 
     /// <summary>A table.</summary>
-    public static void Write(TextTable table) => table.Draw(Out());
+    public static void Write(TextTable table) => Draw(table.Drawn);
 
     /// <summary>An answer in JSON.</summary>
     public static void WriteJson(string json) => Console.Out.WriteLine(Visible.Json(json));
@@ -49,14 +51,35 @@ internal static class Terminal
         });
     }
 
-    private static IAnsiConsole Out()
+    private static void Draw(IRenderable what)
     {
-        IAnsiConsole console = AnsiConsole.Create(new AnsiConsoleSettings { Out = new AnsiConsoleOutput(Console.Out) });
-        if (Console.IsOutputRedirected)
+        // a browser has no terminal: what is written there is read as text
+        if (!OperatingSystem.IsBrowser() && !Console.IsOutputRedirected)
         {
-            console.Profile.Width = PipeWidth;
+            AnsiConsole.Create(new AnsiConsoleSettings { Out = new AnsiConsoleOutput(Console.Out) }).Write(what);
+            return;
         }
 
-        return console;
+        foreach (Segment piece in what.GetSegments(AnsiConsole.Create(new AnsiConsoleSettings { Out = new Pipe(), ColorSystem = ColorSystemSupport.NoColors })))
+        {
+            Console.Out.Write(piece.Text);
+        }
+    }
+
+    /// <summary>Where nobody can be asked how wide it is.</summary>
+    private sealed class Pipe : IAnsiConsoleOutput
+    {
+        public TextWriter Writer => TextWriter.Null;
+
+        public bool IsTerminal => false;
+
+        public int Width => PipeWidth;
+
+        public int Height => PipeHeight;
+
+        public void SetEncoding(Encoding encoding)
+        {
+            // who writes has one
+        }
     }
 }

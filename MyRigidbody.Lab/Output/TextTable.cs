@@ -1,4 +1,5 @@
 using Spectre.Console;
+using Spectre.Console.Rendering;
 
 namespace RigidBodyDynamics.Lab.Output;
 
@@ -33,6 +34,6 @@ internal sealed class TextTable
     /// <summary>A row, with a text for every column.</summary>
     public void AddRow(params IEnumerable<string> cells) => _table.AddRow(cells.Select(cell => new Text(Visible.Line(cell))));
 
-    /// <summary>Where it is drawn.</summary>
-    internal void Draw(IAnsiConsole console) => console.Write(_table);
+    /// <summary>What is drawn.</summary>
+    internal IRenderable Drawn => _table;
 }

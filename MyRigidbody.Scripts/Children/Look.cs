@@ -14,9 +14,9 @@ internal sealed record Look(string File, IReadOnlyList<Finding> Refusals, IReadO
 {
     private const int Most = 100_000;
 
-    public static Look At(Sources sources, CompiledScript compiled, Coverage coverage)
+    public static Look At(CompiledScript compiled, Coverage coverage)
     {
-        Microsoft.CodeAnalysis.SyntaxTree tree = sources.Script!.SyntaxTree;
+        Microsoft.CodeAnalysis.SyntaxTree tree = compiled.Sources.Script!.SyntaxTree;
         return new Look(tree.FilePath, compiled.Refusals, compiled.Notes, coverage.Of(tree), Assignment.In(tree));
     }
 

@@ -1,3 +1,4 @@
+using RigidBodyDynamics.Judging;
 using RigidBodyDynamics.StudentScripts.Comments;
 using RigidBodyDynamics.StudentScripts.Compilation;
 using RigidBodyDynamics.StudentScripts.Running;
@@ -58,23 +59,15 @@ internal static class Server
 
     private static void Serve(IReadOnlyList<ScriptFile> files, Coverage coverage, BinaryWriter output)
     {
-        (Sources? sources, string? tooLarge) = Sources.Read(files);
-        if (sources?.Script == null)
-        {
-            Look.WithoutScript(tooLarge != null ? Words.TooLarge(tooLarge) : Words.NoScript()).Write(output);
-            output.Flush();
-            return;
-        }
-
-        CompiledScript compiled = ScriptCompiler.Compile(sources);
-        Look look = Look.At(sources, compiled, coverage);
-        look.Write(output);
+        CheckedScript? read = ScriptCompiler.Read(files, out Finding? noScript);
+        CompiledScript? compiled = read == null ? null : ScriptCompiler.Compile(read);
+        (compiled == null ? Look.WithoutScript(noScript!) : Look.At(compiled, coverage)).Write(output);
         // it may be the last that is heard of this process
         output.Flush();
-        if (look.Refusals.Count > 0)
+        if (compiled is not { Refusals.Count: 0 })
             return;
 
-        RunOutcome outcome = Execution.Run(compiled);
+        RunOutcome outcome = Execution.RunOnThread(compiled);
         output.Write(outcome.Recording != null);
         if (outcome.Recording == null)
         {

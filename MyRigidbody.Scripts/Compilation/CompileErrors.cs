@@ -9,34 +9,32 @@ namespace RigidBodyDynamics.StudentScripts.Compilation;
 /// <summary>Why a script does not compile, with the mistakes that are made most called by name.</summary>
 internal static class CompileErrors
 {
-    private const int Most = 3;
-
-    public static IReadOnlyList<Finding> Of(CSharpCompilation compilation)
+    public static IReadOnlyList<Objection> Of(CSharpCompilation compilation)
     {
         IReadOnlyList<Diagnostic> errors = Errors(compilation.GetDiagnostics());
         // what Unity has and the stand-in has not is nobody's mistake, if it is all that is wrong
         string[] unknown = [.. errors.Select(error => UnityNames.NotHere(error, compilation)).OfType<string>()];
         return errors.Count > 0 && unknown.Length == errors.Count
-            ? [Words.NotInTheStandIn(unknown[0]).At(ScriptCompiler.LineOf(errors[0].Location))]
-            : [.. errors.Take(Most).Select(error => Of(error, compilation))];
+            ? [Objection.At(errors[0].Location, Words.NotInTheStandIn(unknown[0]))]
+            : [.. errors.Select(error => Of(error, compilation))];
     }
 
-    public static IReadOnlyList<Finding> Of(IEnumerable<Diagnostic> diagnostics) =>
-        [.. Errors(diagnostics).Take(Most).Select(error => Plain("does-not-compile", error))];
+    public static IReadOnlyList<Objection> Of(IEnumerable<Diagnostic> diagnostics) =>
+        [.. Errors(diagnostics).Select(error => Plain("does-not-compile", error))];
 
     private static IReadOnlyList<Diagnostic> Errors(IEnumerable<Diagnostic> diagnostics) =>
         [.. diagnostics.Where(diagnostic => diagnostic.Severity == DiagnosticSeverity.Error).OrderBy(error => error.Location.SourceSpan.Start)];
 
-    private static Finding Of(Diagnostic error, CSharpCompilation compilation)
+    private static Objection Of(Diagnostic error, CSharpCompilation compilation)
     {
         SyntaxNode? node = error.Location.SourceTree?.GetRoot().FindNode(error.Location.SourceSpan, getInnermostNodeForTie: true);
         if (error.Id is "CS0019" or "CS0266" or "CS0664" or "CS1503" or "CS0034" && node != null)
         {
             SemanticModel model = compilation.GetSemanticModel(error.Location.SourceTree!);
             if (node is BinaryExpressionSyntax { RawKind: (int)SyntaxKind.AddExpression } sum && new[] { sum.Left, sum.Right }.Any(part => model.GetTypeInfo(part).Type?.Name == "Quaternion"))
-                return Words.NoQuaternionSum(Message(error)).At(ScriptCompiler.LineOf(error.Location));
+                return Objection.At(error.Location, Words.NoQuaternionSum(Message(error)));
             if (node.DescendantNodesAndSelf().OfType<LiteralExpressionSyntax>().Any(number => number.Token.Value is double))
-                return Words.DoubleLiteral(Message(error)).At(ScriptCompiler.LineOf(error.Location));
+                return Objection.At(error.Location, Words.DoubleLiteral(Message(error)));
         }
 
         return Plain(error.Id switch
@@ -48,8 +46,8 @@ internal static class CompileErrors
         }, error);
     }
 
-    private static Finding Plain(string code, Diagnostic error) =>
-        Words.DoesNotCompile(code, error.Id, Message(error)).At(ScriptCompiler.LineOf(error.Location));
+    private static Objection Plain(string code, Diagnostic error) =>
+        Objection.At(error.Location, Words.DoesNotCompile(code, error.Id, Message(error)));
 
     private static string Message(Diagnostic error) => error.GetMessage(CultureInfo.InvariantCulture).TrimEnd('.');
 }

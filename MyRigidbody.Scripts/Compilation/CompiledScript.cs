@@ -1,6 +1,15 @@
+using Microsoft.CodeAnalysis.CSharp;
 using RigidBodyDynamics.Judging;
 
 namespace RigidBodyDynamics.StudentScripts.Compilation;
+
+/// <summary>A script that the compiler has read.</summary>
+/// <param name="Sources">Where it comes from.</param>
+/// <param name="Compilation">What the compiler knows of it.</param>
+/// <param name="Objections">What keeps it from being run, in the order of the places; empty where nothing does.</param>
+/// <param name="IsForbidden">They are about what it reaches for; else about what does not compile.</param>
+/// <param name="Notes">What else is to be said of it.</param>
+internal sealed record CheckedScript(Sources Sources, CSharpCompilation Compilation, IReadOnlyList<Objection> Objections, bool IsForbidden, IReadOnlyList<Finding> Notes);
 
 /// <summary>A script that was looked at.</summary>
 /// <param name="Sources">Where it comes from.</param>

@@ -15,16 +15,16 @@ internal sealed class Inspector(SemanticModel model)
         SyntaxKind.StackAllocArrayCreationExpression, SyntaxKind.ImplicitStackAllocArrayCreationExpression, SyntaxKind.ExternAliasDirective,
     ];
 
-    private readonly Dictionary<string, Finding> _findings = [];
+    private readonly Dictionary<string, Objection> _objections = [];
 
     /// <summary>What is not allowed and what lets others do the work, the first place of each.</summary>
-    public static IReadOnlyList<Finding> Look(Microsoft.CodeAnalysis.Compilation compilation, SyntaxTree tree)
+    public static IReadOnlyList<Objection> Look(Microsoft.CodeAnalysis.Compilation compilation, SyntaxTree tree)
     {
         Inspector inspector = new(compilation.GetSemanticModel(tree));
         foreach (SyntaxNode node in tree.GetRoot().DescendantNodes(node => node is not UsingDirectiveSyntax))
             inspector.Look(node);
 
-        return [.. inspector._findings.Values];
+        return [.. inspector._objections.Values];
     }
 
     private void Look(SyntaxNode node)
@@ -63,5 +63,5 @@ internal sealed class Inspector(SemanticModel model)
     }
 
     private void Add(SyntaxNode node, Finding finding) =>
-        _findings.TryAdd(finding.Code, finding.At(node.GetLocation().GetLineSpan().StartLinePosition.Line + 1));
+        _objections.TryAdd(finding.Code, Objection.At(node.GetLocation(), finding));
 }

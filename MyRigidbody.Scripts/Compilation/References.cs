@@ -1,3 +1,5 @@
+using System.Reflection;
+using System.Reflection.Metadata;
 using Microsoft.CodeAnalysis;
 using RigidBodyDynamics.StudentScripts.Metering;
 using UnityEngine;
@@ -10,26 +12,31 @@ namespace RigidBodyDynamics.StudentScripts.Compilation;
 /// </summary>
 internal static class References
 {
-    private static readonly string[] Framework =
-    [
-        "System.Private.CoreLib", "System.Runtime", "System.Runtime.Extensions", "System.Runtime.InteropServices", "System.Collections",
-        "System.Collections.Concurrent", "System.Linq", "System.Linq.Expressions", "System.Console", "System.Diagnostics.Process",
-        "System.ComponentModel.Primitives", "System.Private.Uri", "System.Net.Http", "System.Net.Primitives", "System.Net.Sockets", "System.Net.WebClient",
-        "System.Threading", "System.Threading.Thread", "System.Threading.Tasks.Parallel", "System.Text.RegularExpressions", "System.IO.FileSystem",
-        "System.Reflection.Emit", "System.Runtime.Numerics", "System.Numerics.Vectors", "System.ObjectModel", "Microsoft.CSharp", "netstandard",
-    ];
+    private const string Framework = "framework/";
 
     /// <summary>What the script may see.</summary>
     public static IReadOnlyList<MetadataReference> OfScripts { get; } =
     [
-        .. ((string)AppContext.GetData("TRUSTED_PLATFORM_ASSEMBLIES")!).Split(Path.PathSeparator)
-            .Where(path => Framework.Contains(Path.GetFileNameWithoutExtension(path)))
-            .Select(path => MetadataReference.CreateFromFile(path)),
-        MetadataReference.CreateFromFile(typeof(Vector3).Assembly.Location),
-        MetadataReference.CreateFromFile(typeof(Simulation).Assembly.Location),
+        .. typeof(References).Assembly.GetManifestResourceNames().Where(name => name.StartsWith(Framework, StringComparison.Ordinal)).Select(OfFramework),
+        Of(typeof(Vector3).Assembly),
+        Of(typeof(Simulation).Assembly),
     ];
 
     /// <summary>The meter as well.</summary>
-    public static IReadOnlyList<MetadataReference> OfMeteredScripts { get; } =
-        [.. OfScripts, MetadataReference.CreateFromFile(typeof(Meter).Assembly.Location)];
+    public static IReadOnlyList<MetadataReference> OfMeteredScripts { get; } = [.. OfScripts, Of(typeof(Meter).Assembly)];
+
+    private static PortableExecutableReference OfFramework(string resource)
+    {
+        using Stream assembly = typeof(References).Assembly.GetManifestResourceStream(resource)!;
+        return MetadataReference.CreateFromStream(assembly, filePath: resource[Framework.Length..]);
+    }
+
+    // from memory: in a browser it has no file
+    private static unsafe PortableExecutableReference Of(Assembly assembly)
+    {
+        if (!assembly.TryGetRawMetadata(out byte* metadata, out int length))
+            throw new InvalidOperationException($"{assembly.GetName().Name} has no metadata in memory");
+
+        return AssemblyMetadata.Create(ModuleMetadata.CreateFromMetadata((IntPtr)metadata, length)).GetReference(filePath: assembly.GetName().Name);
+    }
 }

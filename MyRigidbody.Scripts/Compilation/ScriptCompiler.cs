@@ -7,11 +7,14 @@ using RigidBodyDynamics.StudentScripts.Metering;
 
 namespace RigidBodyDynamics.StudentScripts.Compilation;
 
-/// <summary>From the files of a submission to an assembly that may be run, or to what stands against that.</summary>
+/// <summary>From the files of a submission to what stands against running them, and to an assembly if nothing does.</summary>
 internal static class ScriptCompiler
 {
     /// <summary>The path of what is handed out with the lab and not handed in again.</summary>
     public const string Given = "DefaultRigidbody.cs (given)";
+
+    // the errors that follow are mostly the first one's
+    private const int MostErrors = 3;
 
     private const string DefaultRigidbody =
         "public class DefaultRigidbody : UnityEngine.MonoBehaviour { public UnityEngine.Rigidbody rb; public UnityEngine.Vector3 force, torque; }";
@@ -20,7 +23,16 @@ internal static class ScriptCompiler
     private static readonly CSharpCompilationOptions Options = new(
         OutputKind.DynamicallyLinkedLibrary, optimizationLevel: OptimizationLevel.Debug, concurrentBuild: false, deterministic: true, nullableContextOptions: NullableContextOptions.Disable);
 
-    public static CompiledScript Compile(Sources sources)
+    /// <summary>The script of a submission as the compiler reads it; null, and why, where there is none.</summary>
+    public static CheckedScript? Read(IReadOnlyList<ScriptFile> files, out Finding? noScript)
+    {
+        (Sources? sources, string? tooLarge) = Sources.Read(files);
+        noScript = tooLarge != null ? Words.TooLarge(tooLarge) : sources!.Script == null ? Words.NoScript() : null;
+        return noScript == null ? Check(sources!) : null;
+    }
+
+    /// <summary>The script as the compiler reads it; nothing is made yet that could run.</summary>
+    private static CheckedScript Check(Sources sources)
     {
         CSharpCompilation compilation = WithoutVainUsings(Create(sources.Trees));
         List<Finding> notes = [.. compilation.SyntaxTrees.SelectMany(HiddenCode.Of)];
@@ -29,21 +41,32 @@ internal static class ScriptCompiler
         if (sources.Others.Count > 0)
             notes.Add(Words.TwoScripts(sources.Others));
 
-        List<Finding> refusals = [.. compilation.SyntaxTrees.Where(tree => tree.FilePath != Given).SelectMany(tree => Inspector.Look(compilation, tree))];
-        if (refusals.Count == 0)
-            refusals.AddRange(CompileErrors.Of(compilation));
-        if (refusals.Count > 0)
-            return new CompiledScript(sources, refusals, notes, null, null);
+        List<Objection> objections = [.. compilation.SyntaxTrees.Where(tree => tree.FilePath != Given).SelectMany(tree => Inspector.Look(compilation, tree))];
+        bool isForbidden = objections.Count > 0;
+        if (!isForbidden)
+            objections.AddRange(CompileErrors.Of(compilation));
+
+        return new CheckedScript(sources, compilation, objections, isForbidden, notes);
+    }
+
+    /// <summary>The script with its meter, to be run if nothing stands against it.</summary>
+    public static CompiledScript Compile(CheckedScript read)
+    {
+        if (read.Objections.Count > 0)
+            return Refused(read, read.Objections, read.IsForbidden ? int.MaxValue : MostErrors);
 
         using MemoryStream assembly = new(), symbols = new();
-        EmitResult result = Metered(compilation).Emit(assembly, symbols, options: new EmitOptions(debugInformationFormat: DebugInformationFormat.PortablePdb));
+        EmitResult result = Metered(read.Compilation).Emit(assembly, symbols, options: new EmitOptions(debugInformationFormat: DebugInformationFormat.PortablePdb));
         return result.Success
-            ? new CompiledScript(sources, [], notes, assembly.ToArray(), symbols.ToArray())
-            : new CompiledScript(sources, CompileErrors.Of(result.Diagnostics), notes, null, null);
+            ? new CompiledScript(read.Sources, [], read.Notes, assembly.ToArray(), symbols.ToArray())
+            : Refused(read, CompileErrors.Of(result.Diagnostics), MostErrors);
     }
 
     /// <summary>The line of a place, from 1.</summary>
     public static int LineOf(Location place) => place.GetLineSpan().StartLinePosition.Line + 1;
+
+    private static CompiledScript Refused(CheckedScript read, IEnumerable<Objection> objections, int most) =>
+        new(read.Sources, [.. objections.Take(most).Select(objection => objection.Finding)], read.Notes, null, null);
 
     private static CSharpCompilation Create(IReadOnlyList<SyntaxTree> trees)
     {
@@ -80,10 +103,21 @@ internal static class ScriptCompiler
         CSharpCompilation metered = compilation.WithReferences(References.OfMeteredScripts);
         foreach (SyntaxTree tree in compilation.SyntaxTrees)
         {
-            SyntaxNode root = new MeterRewriter(compilation.GetSemanticModel(tree)).Visit(tree.GetRoot());
-            metered = metered.ReplaceSyntaxTree(tree, CSharpSyntaxTree.Create((CSharpSyntaxNode)root, Symbols.OfTheEditor, tree.FilePath, System.Text.Encoding.UTF8));
+            SyntaxNode root = Named(new MeterRewriter(compilation.GetSemanticModel(tree)).Visit(tree.GetRoot()), tree.FilePath);
+            metered = metered.ReplaceSyntaxTree(tree, CSharpSyntaxTree.Create((CSharpSyntaxNode)root, Symbols.OfTheEditor, encoding: System.Text.Encoding.UTF8));
         }
 
         return metered;
+    }
+
+    /// <summary>
+    /// Tells the debug symbols which file it is, and gives a checksum that nobody asks for. Of a file that they know by itself they
+    /// compute one on another thread, and wait for it; in a browser there is no other.
+    /// </summary>
+    private static SyntaxNode Named(SyntaxNode root, string path)
+    {
+        string file = string.Concat(path.Where(letter => letter >= ' ' && letter != '"'));
+        SyntaxTriviaList names = SyntaxFactory.ParseLeadingTrivia($"#pragma checksum \"{file}\" \"{{8829d00f-11b8-4213-878b-770e8597ac16}}\" \"00\"\n#line 1 \"{file}\"\n");
+        return root.WithLeadingTrivia(names.AddRange(root.GetLeadingTrivia()));
     }
 }

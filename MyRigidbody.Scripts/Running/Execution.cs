@@ -7,7 +7,7 @@ using RigidBodyDynamics.StudentScripts.Metering;
 
 namespace RigidBodyDynamics.StudentScripts.Running;
 
-/// <summary>Runs a script through the judge's experiments, on a thread of its own.</summary>
+/// <summary>Runs a script through the judge's experiments.</summary>
 internal static class Execution
 {
     private const int StackBytes = 1 << 20;
@@ -21,19 +21,21 @@ internal static class Execution
             Meter.Stop(Stopped.Recursion);
     };
 
-    public static RunOutcome Run(CompiledScript compiled)
+    /// <summary>On a thread of its own, whose stack is soon full if the script calls itself without end.</summary>
+    public static RunOutcome RunOnThread(CompiledScript compiled)
     {
         RunOutcome? outcome = null;
-        Thread thread = new(() => outcome = Record(compiled), StackBytes);
+        Thread thread = new(() => outcome = Run(compiled, () => { }), StackBytes);
         thread.Start();
         thread.Join();
         return outcome!;
     }
 
-    private static RunOutcome Record(CompiledScript compiled)
+    /// <summary>On the caller's thread.</summary>
+    public static RunOutcome Run(CompiledScript compiled, Action afterFrame)
     {
         Meter.Reset();
-        using StandIn laboratory = new(compiled);
+        using StandIn laboratory = new(compiled, afterFrame);
         try
         {
             return new RunOutcome(Experiments.Record(laboratory), null);
@@ -81,7 +83,7 @@ internal static class Execution
 
     // the innermost line of the script
     private static int? Line(Exception thrown) => new StackTrace(thrown, fNeedFileInfo: true).GetFrames()
-        .Where(frame => frame.GetFileLineNumber() > 0 && frame.GetMethod()?.DeclaringType?.Assembly.IsCollectible == true)
+        .Where(frame => frame.GetFileLineNumber() > 0 && StandIn.IsOfScript(frame.GetMethod()?.DeclaringType?.Assembly))
         .Select(frame => (int?)frame.GetFileLineNumber())
         .FirstOrDefault();
 

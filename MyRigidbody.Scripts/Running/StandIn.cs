@@ -11,7 +11,9 @@ using SheetKeys = RigidBodyDynamics.Judging.Keys;
 namespace RigidBodyDynamics.StudentScripts.Running;
 
 /// <summary>The stand-in for the engine with one script on one object, as the judge drives it.</summary>
-internal sealed class StandIn(CompiledScript compiled) : ILaboratory, IDisposable
+/// <param name="compiled">The script.</param>
+/// <param name="afterFrame">Called when a frame has been played.</param>
+internal sealed class StandIn(CompiledScript compiled, Action afterFrame) : ILaboratory, IDisposable
 {
     private const long MostBytes = 150_000_000;
 
@@ -20,6 +22,15 @@ internal sealed class StandIn(CompiledScript compiled) : ILaboratory, IDisposabl
         (SheetKeys.LeftArrow, KeyCode.LeftArrow), (SheetKeys.RightArrow, KeyCode.RightArrow), (SheetKeys.UpArrow, KeyCode.UpArrow),
         (SheetKeys.DownArrow, KeyCode.DownArrow), (SheetKeys.R, KeyCode.R),
     ];
+
+    private const string Context = "script";
+
+    static StandIn()
+    {
+        Structures.Know<Vector3>(v => [v.x, v.y, v.z]);
+        Structures.Know<UnityEngine.Quaternion>(q => [q.x, q.y, q.z, q.w]);
+        Structures.Know<Matrix4x4>(m => [m.m00, m.m01, m.m02, m.m10, m.m11, m.m12, m.m20, m.m21, m.m22]);
+    }
 
     private readonly long _bytesAtStart = GC.GetTotalMemory(forceFullCollection: true);
     private AssemblyLoadContext? _context;
@@ -92,7 +103,7 @@ internal sealed class StandIn(CompiledScript compiled) : ILaboratory, IDisposabl
     public void Frame(FrameInput input)
     {
         foreach ((SheetKeys held, KeyCode key) in FiveKeys)
-            EngineKeys.Hold(key, input.Held.HasFlag(held));
+            EngineKeys.Hold(key, (input.Held & held) != 0);
 
         Clock.Set(input.Time, FrameInput.FixedDelta, FrameInput.FixedDelta, input.Number, isInFixedStep: true);
         Send("FixedUpdate");
@@ -101,12 +112,16 @@ internal sealed class StandIn(CompiledScript compiled) : ILaboratory, IDisposabl
         Send("LateUpdate");
         EngineKeys.EndFrame();
         FramesDone++;
+        afterFrame();
         // memory that is held, and not what a collection would free
         if (GC.GetTotalMemory(forceFullCollection: false) - _bytesAtStart > MostBytes && GC.GetTotalMemory(forceFullCollection: true) - _bytesAtStart > MostBytes)
             Meter.Stop(Stopped.Memory);
 
         Meter.MustNotBeStopped();
     }
+
+    /// <summary>True for what a script was compiled to.</summary>
+    public static bool IsOfScript(Assembly? assembly) => assembly != null && AssemblyLoadContext.GetLoadContext(assembly)?.Name == Context;
 
     public void Dispose()
     {
@@ -163,7 +178,7 @@ internal sealed class StandIn(CompiledScript compiled) : ILaboratory, IDisposabl
             return _type;
 
         _context?.Unload();
-        _context = new AssemblyLoadContext("script", isCollectible: true);
+        _context = new AssemblyLoadContext(Context, isCollectible: true);
         Assembly assembly = _context.LoadFromStream(new MemoryStream(compiled.Assembly!), new MemoryStream(compiled.DebugSymbols!));
         return _type = assembly.GetTypes().First(type => type.Name == compiled.ClassName && typeof(MonoBehaviour).IsAssignableFrom(type));
     }

@@ -1,7 +1,47 @@
+// The worker in which scripts are compiled, run and judged. A request says what to do and comes with a number; the answer has it too.
 import { start } from './runtime.js';
 
-const started = start('write', 'MyRigidbody.Web.Write');
-onmessage = async ({ data: { id } }) => {
-  await started;
-  postMessage({ id, errors: [], finding: { code: 'none', en: 'Scripts are not judged yet.', zh: '暂时还不能检查脚本。' } });
+const files = ({ files }) => {
+  const bytes = files.map(({ text, bytes }) => bytes ?? new TextEncoder().encode(text));
+  const all = new Uint8Array(bytes.reduce((sum, one) => sum + one.length, 0));
+  bytes.reduce((at, one) => (all.set(one, at), at + one.length), 0);
+  return [files.map(({ name }) => name), bytes.map(({ length }) => length), all];
+};
+
+const doing = {
+  ready: () => ({}),
+  errors: (scripts, request) => ({ errors: JSON.parse(scripts.Errors(...files(request))) }),
+  judge: (scripts, request) => ({ ...JSON.parse(scripts.Judge(...files(request), request.lang ?? 'en')), motion: JSON.parse(scripts.Motion() ?? 'null') }),
+  ended: (scripts, request) => ({ ...JSON.parse(scripts.Ended(...files(request), request.lang ?? 'en', request.code)), motion: null }),
+};
+
+// the page counts the time that a script takes from the last of these
+globalThis.scriptRuns = runs => postMessage({ runs });
+
+// what a script could do harm with, if it got past the list of what it may name
+function takeAway(scope) {
+  const all = ['fetch', 'XMLHttpRequest', 'WebSocket', 'WebSocketStream', 'WebTransport', 'EventSource', 'importScripts', 'indexedDB', 'caches', 'BroadcastChannel',
+    'Worker', 'SharedWorker', 'RTCPeerConnection', 'Notification', 'cookieStore', 'storage', 'Request', 'FileReaderSync', 'open', 'close'];
+  for (let holder = scope; holder && holder !== Object.prototype; holder = Object.getPrototypeOf(holder)) {
+    for (const name of [...all, 'navigator']) {
+      if (Object.hasOwn(holder, name)) {
+        Object.defineProperty(holder, name, { value: undefined, writable: false, configurable: false });
+      }
+    }
+  }
+}
+
+const started = start('write', 'MyRigidbody.Web.Write').then(exports => {
+  takeAway(globalThis);
+  return exports.RigidBodyDynamics.Web.Write.Scripts;
+});
+
+onmessage = async ({ data: request }) => {
+  const { id } = request;
+  try {
+    postMessage({ id, ...doing[request.do](await started, request) });
+  } catch (broken) {
+    // the runtime may have ended: the page starts another worker
+    postMessage({ id, broken: String(broken?.message ?? broken) });
+  }
 };

@@ -1,0 +1,76 @@
+using RigidBodyDynamics.Judging;
+using RigidBodyDynamics.StudentScripts.Children;
+using RigidBodyDynamics.StudentScripts.Comments;
+using RigidBodyDynamics.StudentScripts.Compilation;
+using RigidBodyDynamics.StudentScripts.Running;
+
+namespace RigidBodyDynamics.StudentScripts;
+
+/// <summary>
+/// Compiles, runs and judges scripts in this process, as <see cref="ScriptRunner"/> does in a child: for a browser, where the page
+/// gives each worker nothing that a script could reach, and ends one that does not answer.
+/// </summary>
+internal sealed class LocalRunner
+{
+    private readonly Coverage _coverage = new(null);
+    /// <summary>Called when a script begins to run, and when it has.</summary>
+    public required Action<bool> IsRunning { get; init; }
+
+    /// <summary>Called after every frame of a script.</summary>
+    public required Action AtWork { get; init; }
+
+    private IReadOnlyList<ScriptFile> _files = [];
+    private CheckedScript? _read;
+    private CompiledScript? _compiled;
+    private Finding? _noScript;
+
+    /// <summary>What keeps the script from being run, with its places.</summary>
+    public IReadOnlyList<Objection> Objections(IReadOnlyList<ScriptFile> files)
+    {
+        Read(files);
+        return _read?.Objections ?? [Objection.At(Microsoft.CodeAnalysis.Location.None, _noScript!)];
+    }
+
+    /// <summary>What is said of a submission that was ended from outside while it ran.</summary>
+    /// <param name="files">Its source files.</param>
+    /// <param name="code">Why: endless-loop, memory, ended.</param>
+    public ScriptReport Ended(IReadOnlyList<ScriptFile> files, string code) => Compile(files) is { } compiled
+        ? Reports.Refused(Look.At(compiled, _coverage), files, [Words.Stopped(code, code == "ended" ? string.Empty : "Update")])
+        : Reports.Refused(Look.WithoutScript(_noScript!), files, [_noScript!]);
+
+    /// <summary>Judges one submission. Nothing that a script does is thrown here.</summary>
+    public ScriptReport Run(IReadOnlyList<ScriptFile> files)
+    {
+        if (Compile(files) is not { } compiled)
+            return Reports.Refused(Look.WithoutScript(_noScript!), files, [_noScript!]);
+
+        Look look = Look.At(compiled, _coverage);
+        if (look.Refusals.Count > 0)
+            return Reports.Refused(look, files, look.Refusals);
+
+        IsRunning(true);
+        RunOutcome outcome = Execution.Run(compiled, AtWork);
+        IsRunning(false);
+        return outcome.Recording is { } recording ? Reports.Judged(look, files, recording) : Reports.Refused(look, files, [outcome.Stopped!]);
+    }
+
+    // what is asked after one text is asked of the same compilation
+    private void Read(IReadOnlyList<ScriptFile> files)
+    {
+        if (AreAlike(files, _files))
+            return;
+
+        _compiled = null;
+        _read = ScriptCompiler.Read(files, out _noScript);
+        _files = files;
+    }
+
+    private CompiledScript? Compile(IReadOnlyList<ScriptFile> files)
+    {
+        Read(files);
+        return _compiled ??= _read == null ? null : ScriptCompiler.Compile(_read);
+    }
+
+    private static bool AreAlike(IReadOnlyList<ScriptFile> a, IReadOnlyList<ScriptFile> b) =>
+        a.Count == b.Count && a.Zip(b).All(pair => pair.First.Name == pair.Second.Name && pair.First.Bytes.AsSpan().SequenceEqual(pair.Second.Bytes));
+}

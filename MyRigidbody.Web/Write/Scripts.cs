@@ -1,0 +1,80 @@
+using System.Runtime.InteropServices.JavaScript;
+using System.Text;
+using System.Text.Json;
+using System.Text.Json.Nodes;
+using Microsoft.CodeAnalysis;
+using RigidBodyDynamics.Judging;
+using RigidBodyDynamics.Lab.Checking;
+using RigidBodyDynamics.Lab.Report;
+using RigidBodyDynamics.StudentScripts;
+
+namespace RigidBodyDynamics.Web.Write;
+
+/// <summary>What worker.js asks about scripts. Files come as their names, their lengths, and their bytes one after another.</summary>
+internal static partial class Scripts
+{
+    private static readonly LocalRunner Runner = new() { IsRunning = IsRunning, AtWork = AtWork };
+    private const int Often = 200;
+
+    private static ScriptReport? _judged;
+    private static long _said;
+
+    /// <summary>What keeps the script from being run: an array of places, from 1, with code and sentences.</summary>
+    [JSExport]
+    internal static string Errors(string[] names, int[] lengths, byte[] bytes) => Json.Of(Runner.Objections(Json.Files(names, lengths, bytes)).Select(objection =>
+    {
+        FileLinePositionSpan place = objection.Place.GetLineSpan();
+        return new
+        {
+            file = place.Path,
+            line = place.StartLinePosition.Line + 1,
+            column = place.StartLinePosition.Character + 1,
+            endLine = place.EndLinePosition.Line + 1,
+            endColumn = place.EndLinePosition.Character + 1,
+            code = objection.Finding.Code,
+            en = objection.Finding.English,
+            zh = objection.Finding.Chinese,
+        };
+    }));
+
+    /// <summary>The verdict on a submission, as check gives it: its JSON, and its text in a language.</summary>
+    [JSExport]
+    internal static string Judge(string[] names, int[] lengths, byte[] bytes, string language) =>
+        Said(names[0], Runner.Run(Json.Files(names, lengths, bytes)), language);
+
+    /// <summary>The verdict on a submission whose run was ended from outside.</summary>
+    [JSExport]
+    internal static string Ended(string[] names, int[] lengths, byte[] bytes, string language, string code) =>
+        Said(names[0], Runner.Ended(Json.Files(names, lengths, bytes), code), language);
+
+    /// <summary>The script that was judged last, moving beside the reference and Unity's body; null where it was not run to its end.</summary>
+    [JSExport]
+    internal static string? Motion() => _judged?.Recording is { } recording ? MotionJson.Of(ScriptMotion.Of(recording)) : null;
+
+    private static string Said(string name, ScriptReport report, string language)
+    {
+        _judged = report;
+        using StringWriter lines = new();
+        Console.SetOut(lines);
+        Lamps.Print(name, report, isChinese: language == "zh");
+        Console.SetOut(TextWriter.Null);
+        return Json.Of(new { verdict = JsonNode.Parse(CheckJson.Of(name, report)), lines = lines.ToString(), check = ShownCheck.Of(report) });
+    }
+
+    // the page's watch counts from here
+    [JSImport("globalThis.scriptRuns")]
+    private static partial void Tell(bool isRunning);
+
+    // the page hears of it a few times in a second
+    private static void AtWork()
+    {
+        if (Environment.TickCount64 - _said > Often)
+            IsRunning(true);
+    }
+
+    private static void IsRunning(bool isRunning)
+    {
+        _said = Environment.TickCount64;
+        Tell(isRunning);
+    }
+}
