@@ -1,4 +1,5 @@
 using System;
+using System.Runtime.CompilerServices;
 
 namespace RigidBodyDynamics
 {
@@ -123,6 +124,7 @@ namespace RigidBodyDynamics
             return sum;
         }
 
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
         private static double TwoDifferenceError(double a, double b, double difference)
         {
             // Knuth: a − b = difference + error, exactly
@@ -130,6 +132,7 @@ namespace RigidBodyDynamics
             return (a - (difference - back)) - (b + back);
         }
 
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
         private static double SinSeries(double r, double tail)
         {
             double z = r * r;
@@ -144,6 +147,7 @@ namespace RigidBodyDynamics
             return r + (p * z * r + tail * (1 - 0.5 * z));
         }
 
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
         private static double CosSeries(double r, double tail)
         {
             double z = r * r;

@@ -88,6 +88,15 @@ namespace RigidBodyDynamics
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
         public static Vector3d Scale(Vector3d a, Vector3d b) => new Vector3d(a.X * b.X, a.Y * b.Y, a.Z * b.Z);
 
+        /// <summary>Adds a multiple of it to a sum, without operators: a runtime that does not take structs apart (Mono) takes twice as long with them.</summary>
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        internal void AddTo(ref Vector3d sum, double factor)
+        {
+            sum.X += factor * X;
+            sum.Y += factor * Y;
+            sum.Z += factor * Z;
+        }
+
         /// <summary>True if all components are equal; no tolerance.</summary>
         public static bool operator ==(Vector3d a, Vector3d b) => a.X == b.X && a.Y == b.Y && a.Z == b.Z;
 

@@ -71,6 +71,10 @@ namespace RigidBodyDynamics
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
         public static Vector3d By(double factor, Vector3d v) => factor == 1 ? factor * v : Rest(factor * v);
 
+        /// <summary>The same of a number.</summary>
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        public static double By(double factor, double x) => Rest(factor * x);
+
         /// <summary>
         /// A number that has decayed to less than 1e-290 is zero, of its sign: what comes after that, numbers with ever fewer
         /// digits, costs a processor ten times as much and never ends.

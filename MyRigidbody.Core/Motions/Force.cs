@@ -43,10 +43,10 @@ namespace RigidBodyDynamics
             | (_force.Swings ? EffectTraits.ReadsTime : _inBody ? EffectTraits.None : EffectTraits.HasPotential);
 
         public void At(in Instant now, in BodyState body, MassProperties mass, ref Wrench wrench) =>
-            Add(1, _force.Mean(now.Time, 0), body, mass, ref wrench);
+            Add(now, 0, 1, body, mass, ref wrench);
 
         public void Over(in Instant now, double duration, in BodyState body, MassProperties mass, ref Wrench impulse) =>
-            Add(duration, _force.Mean(now.Time, now.IsHeld ? 0 : duration), body, mass, ref impulse);
+            Add(now, now.IsHeld ? 0 : duration, duration, body, mass, ref impulse);
 
         public void AddTo(ref Coasting coasting, MassProperties mass) => coasting.Acceleration += _force.Mean(0, 0) / mass.Mass;
 
@@ -54,17 +54,24 @@ namespace RigidBodyDynamics
         public override string ToString() =>
             "force " + _force + " N" + (_hasPoint ? " at " + _at + " m of the body" : string.Empty) + (_inBody ? ", body axes" : string.Empty);
 
-        private void Add(double duration, Vector3d force, in BodyState body, MassProperties mass, ref Wrench wrench)
+        private void Add(in Instant now, double duration, double factor, in BodyState body, MassProperties mass, ref Wrench wrench)
         {
-            wrench.Force += duration * (_inBody ? body.Orientation.Rotate(force) : force);
+            if (!_inBody && !_hasPoint)
+            {
+                _force.Add(now.Time, duration, factor, ref wrench.Force);
+                return;
+            }
+
+            Vector3d force = _force.Mean(now.Time, duration);
+            wrench.Force += factor * (_inBody ? body.Orientation.Rotate(force) : force);
             if (!_hasPoint)
                 return;
 
             Vector3d arm = _at - mass.CenterOfMass;
             if (_inBody)
-                wrench.BodyTorque += duration * Vector3d.Cross(arm, force);
+                wrench.BodyTorque += factor * Vector3d.Cross(arm, force);
             else
-                wrench.Torque += duration * Vector3d.Cross(body.Orientation.Rotate(arm), force);
+                wrench.Torque += factor * Vector3d.Cross(body.Orientation.Rotate(arm), force);
         }
     }
 }

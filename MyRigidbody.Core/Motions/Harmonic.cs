@@ -27,17 +27,31 @@ namespace RigidBodyDynamics
         /// The mean over a time. The mean of sin(rate t) from t to t + h is sin at the middle, times sin(z)/z with z = rate h/2; no
         /// difference of cosines that would cancel for short steps.
         /// </summary>
-        // a sine is long, and the step around it is compiled well only while it is short
-        [MethodImpl(MethodImplOptions.NoInlining)]
         public Vector3d Mean(double time, double duration)
         {
-            if (!Swings)
-                return _constant;
+            Vector3d mean = Vector3d.Zero;
+            Add(time, duration, 1, ref mean);
+            return mean;
+        }
 
-            double z = 0.5 * _rate * duration;
-            double spread = duration == 0 ? 1 : Spread(z);
-            Elementary.SinCos(_rate * (time + 0.5 * duration), out double sin, out double cos);
-            return _constant + spread * (sin * _sine + cos * _cosine);
+        /// <summary>Adds a multiple of the mean to a sum.</summary>
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        public void Add(double time, double duration, double factor, ref Vector3d sum)
+        {
+            if (Swings)
+                AddSwinging(time + 0.5 * duration, duration == 0 ? 1 : Spread(0.5 * _rate * duration), factor, ref sum);
+            else
+                _constant.AddTo(ref sum, factor);
+        }
+
+        // a sine is long, and the step around it is compiled well only while it is short
+        [MethodImpl(MethodImplOptions.NoInlining)]
+        private void AddSwinging(double middle, double spread, double factor, ref Vector3d sum)
+        {
+            Elementary.SinCos(_rate * middle, out double sin, out double cos);
+            sum.X += factor * (_constant.X + spread * (sin * _sine.X + cos * _cosine.X));
+            sum.Y += factor * (_constant.Y + spread * (sin * _sine.Y + cos * _cosine.Y));
+            sum.Z += factor * (_constant.Z + spread * (sin * _sine.Z + cos * _cosine.Z));
         }
 
         /// <summary>In words.</summary>

@@ -52,7 +52,7 @@ namespace RigidBodyDynamics
             if (_key == LabKey.R)
                 _torque.At(now, body, mass, ref wrench);
             else
-                wrench.Force += _force;
+                _force.AddTo(ref wrench.Force, 1);
         }
 
         public void Over(in Instant now, double duration, in BodyState body, MassProperties mass, ref Wrench impulse)
@@ -60,7 +60,7 @@ namespace RigidBodyDynamics
             if (_key == LabKey.R)
                 _torque.Over(now, duration, body, mass, ref impulse);
             else
-                impulse.Force += duration * _force;
+                _force.AddTo(ref impulse.Force, duration);
         }
 
         /// <summary>In words.</summary>

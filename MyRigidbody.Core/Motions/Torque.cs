@@ -24,20 +24,12 @@ namespace RigidBodyDynamics
         public EffectTraits Traits => _torque.Swings ? EffectTraits.Turns | EffectTraits.ReadsTime : EffectTraits.Turns;
 
         public void At(in Instant now, in BodyState body, MassProperties mass, ref Wrench wrench) =>
-            Add(_torque.Mean(now.Time, 0), ref wrench);
+            _torque.Add(now.Time, 0, 1, ref _inBody ? ref wrench.BodyTorque : ref wrench.Torque);
 
         public void Over(in Instant now, double duration, in BodyState body, MassProperties mass, ref Wrench impulse) =>
-            Add(duration * _torque.Mean(now.Time, now.IsHeld ? 0 : duration), ref impulse);
+            _torque.Add(now.Time, now.IsHeld ? 0 : duration, duration, ref _inBody ? ref impulse.BodyTorque : ref impulse.Torque);
 
         /// <summary>In words.</summary>
         public override string ToString() => "torque " + _torque + " N m, " + (_inBody ? "body axes" : "world axes");
-
-        private void Add(Vector3d torque, ref Wrench wrench)
-        {
-            if (_inBody)
-                wrench.BodyTorque += torque;
-            else
-                wrench.Torque += torque;
-        }
     }
 }

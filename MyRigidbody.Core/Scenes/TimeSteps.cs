@@ -1,5 +1,6 @@
 using System;
 using System.Collections.Generic;
+using System.Runtime.CompilerServices;
 
 namespace RigidBodyDynamics
 {
@@ -68,9 +69,11 @@ namespace RigidBodyDynamics
         public static TimeSteps Of(IReadOnlyList<double> lengths) => new TimeSteps(Guard.NotNull(lengths, nameof(lengths)));
 
         /// <summary>Length of a step, s.</summary>
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
         public double Length(long step) => _lengths == null ? _grid.Length : _lengths[step];
 
         /// <summary>Time at which a step starts, s; that of step <see cref="Count"/> is the end.</summary>
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
         public double StartOf(long step) => _starts == null ? _grid.Start + (step - _grid.Origin) * _grid.Length : _starts[step];
 
         /// <summary>Time from the start of a step to that of another, s, in twice the digits.</summary>
