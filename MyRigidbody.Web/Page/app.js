@@ -3,7 +3,7 @@ import './first.js';
 import '../../MyRigidbody.Lab/Report/Page/page.js';
 import './lab.js';
 import { keep, renew } from './offline.js';
-import { openLink, startLink } from './link.js';
+import { followLink, openLink, startLink } from './link.js';
 import { startPlay } from './play.js';
 
 const part = name => document.getElementById(name + '-part');
@@ -13,6 +13,7 @@ if (!await renew()) {
   startLink();
   const [{ startWrite }, { startCost }] = await Promise.all([import('./write.js'), import('./cost.js')]);
   startCost(part('cost'));
+  followLink();
   await startWrite(part('write'));
   await keep();
 }

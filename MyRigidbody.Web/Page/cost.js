@@ -66,7 +66,7 @@ export function startCost(part) {
 
       mine.onmessage = ({ data }) => take(data, asked);
       mine.onerror = event => take({ failed: event.message }, asked);
-      mine.postMessage({ file: asked.file, text: asked.text, beside: asked.beside ?? [], seconds });
+      mine.postMessage({ file: asked.file, text: asked.text, beside: asked.beside, seconds });
     } catch (error) {
       if (worker === mine) {
         take({ failed: error.message });
@@ -151,12 +151,9 @@ export function startCost(part) {
   report.setLanguage(report.language());
 }
 
-// as it would be saved now
+// as it would be saved now, and the files that it names
 async function sceneOfPage() {
-  if (window.lab.scene) {
-    return window.lab.scene();
-  }
-
-  const { scene, sceneText } = window.lab.state;
-  return { file: `${scene}.json`, text: sceneText ?? await (await fetch(`scenes/${scene}.json`)).text() };
+  const { name, text, isPlayed, meshes } = window.lab.played();
+  const beside = await Promise.all(meshes.map(async mesh => ({ name: mesh, text: await (await fetch('scenes/' + mesh)).text() })));
+  return { file: name + '.json', text, isPlayed, beside };
 }

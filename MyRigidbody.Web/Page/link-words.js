@@ -8,7 +8,7 @@ export default {
     en: 'The link stands in the address bar: copy it from there ({0} characters).',
     zh: '链接已写在地址栏中，请从那里复制（{0} 个字符）。',
   },
-  'web.link.noKeys': { en: 'The keys that were played did not fit in it.', zh: '按键记录太长，没有放进链接。' },
+  'web.link.noKeys': { en: 'The keys that were held did not fit in it.', zh: '按键记录太长，没有放进链接。' },
   'web.link.noScript': {
     en: 'The script is too long for a link ({0} characters, at most {1}): save it as a file and send that. The link is without it.',
     zh: '脚本太长，放不进链接（{0} 个字符，最多 {1} 个）：请保存为文件发送。链接中没有脚本。',

@@ -1,4 +1,4 @@
-// A link carries the state: scene, rule, script, language, tab, and the keys that were played if they fit.
+// A link carries the state: scene, rule, script, language and tab; what was played is a scene with its keys.
 import words from './link-words.js';
 import { pack, unpack } from './packed.js';
 import { addWords } from './words.js';
@@ -17,7 +17,6 @@ const parts = {
   rule: [({ rule }) => rule, rule => ({ rule: checked(rule, /^\w{1,40}$/.test(rule)) })],
   tab: [({ tab }) => tab, tab => ({ tab: checked(tab, tabs.includes(tab)) })],
   script: [({ script }) => script && pack(JSON.stringify(files(script))), async script => ({ script: ofFiles(JSON.parse(await unpack(script, longestText))), scriptFromLink: true })],
-  keys: [({ presses }) => presses?.map(press => press.join('.')).join('_'), keys => ({ presses: keys.split('_').map(press) })],
 };
 
 function checked(value, isRight) {
@@ -35,23 +34,17 @@ function ofFiles(list) {
   return beside.length > 0 ? { ...script, beside } : script;
 }
 
-// number of the key, the step that felt it first, the first that did not; the last is missing where it was still held
-function press(text) {
-  checked(text, /^[0-4]\.\d{1,9}\.(\d{1,9})?$/.test(text));
-  const [key, from, to] = text.split('.');
-  const until = to === '' ? null : Number(to);
-  return [Number(key), Number(from), checked(until, until === null || until > Number(from))];
-}
+// what came by the address, and what of it is damaged
+const opened = {}, damaged = [];
 
-/** Takes the state from the address, before anything is shown; what is damaged is said in one line and left out. */
+/** Takes the state from the address, before anything is shown. */
 export async function openLink() {
   addWords(words);
-  const given = new URLSearchParams(location.hash.slice(1)), opened = {}, names = [], damaged = [];
+  const given = new URLSearchParams(location.hash.slice(1));
   for (const [name, [, read]] of Object.entries(parts)) {
     try {
       if (given.has(name)) {
         Object.assign(opened, await read(given.get(name)));
-        names.push(name);
       }
     } catch {
       damaged.push(name);
@@ -59,19 +52,38 @@ export async function openLink() {
   }
 
   window.lab.set(opened);
-  if (damaged.length > 0) {
-    window.lab.say(report.word('web.link.damaged', damaged.join(', ')));
-  }
-
-  follow(names);
+  follow(Object.keys(opened));
   // a link that is opened in this page; "#play-part" is a place in it
   addEventListener('hashchange', () => location.hash.includes('=') && location.reload());
 }
 
+/** When the page has taken up what it can: says in one line what it could not, and shows the part of the page that was meant. */
+export function followLink() {
+  const { state } = window.lab, told = document.getElementById('said').textContent;
+  damaged.push(...['scene', 'rule'].filter(name => opened[name] !== undefined && opened[name] !== state[name]));
+  const why = damaged.length > 0 ? [report.word('web.link.damaged', damaged.join(', ')), told].filter(Boolean).join(' ') : told;
+  if (!report.data?.times) {
+    // a scene of one's own that is none: the lab's, and why
+    window.lab.addEventListener('sceneText', () => window.lab.say(why), { once: true });
+    window.lab.set({ scene: 'lab', sceneText: undefined });
+  } else if (why) {
+    window.lab.say(why);
+  }
+
+  if (opened.tab && opened.tab !== 'play') {
+    document.getElementById(opened.tab + '-part').scrollIntoView();
+  }
+}
+
+// the part of the page that the reader looks at
+function tabInView() {
+  const top = tab => document.getElementById(tab + '-part').getBoundingClientRect().top;
+  return tabs.findLast(tab => top(tab) < innerHeight / 2) ?? 'play';
+}
+
 // the address keeps parts of a link until one of them has changed, so that a reload shows nothing old
 function follow(names) {
-  const inState = { own: 'sceneText', keys: 'presses' };
-  const now = () => JSON.stringify(names.map(name => window.lab.state[inState[name] ?? name]));
+  const now = () => JSON.stringify(names.map(name => window.lab.state[name]));
   const then = now();
   const forget = () => {
     if (now() !== then) {
@@ -85,38 +97,56 @@ function follow(names) {
 }
 
 /** The link to the page as it is now, and words about what did not fit; no link where not even the scene does. */
-export async function makeLink(state, address) {
-  const choice = new URLSearchParams();
-  const write = async name => {
-    const value = await parts[name][0](state);
-    if (value) {
-      choice.set(name, value);
-    }
-  };
-  const link = () => `${address}#${choice}`;
+export async function makeLink(state, played, address) {
   const said = [];
-  for (const name of ['scene', 'own', 'rule', 'tab']) {
-    await write(name);
+  let choice = await choose(state, played ? { scene: played.name, sceneText: played.text } : {}, ['scene', 'own', 'rule', 'tab']);
+  const link = () => `${address}#${choice}`;
+  if (played && link().length > longest) {
+    said.push(['web.link.noKeys']);
+    choice = await choose(state, {}, ['scene', 'own', 'rule', 'tab']);
   }
 
-  choice.set('lang', state.lang);
   if (link().length > longest) {
     return { said: [['web.link.noScene', link().length, longest]] };
   }
 
-  await write('script');
+  if (state.script) {
+    choice.set('script', await parts.script[0](state));
+  }
+
   if (link().length > longest) {
     said.push(['web.link.noScript', link().length, longest]);
     choice.delete('script');
   }
 
-  await write('keys');
-  if (link().length > longest) {
-    said.push(['web.link.noKeys']);
-    choice.delete('keys');
+  return { link: link(), said };
+}
+
+async function choose(state, instead, names) {
+  const choice = new URLSearchParams({ lang: state.lang });
+  for (const name of names) {
+    const value = await parts[name][0]({ ...state, ...instead });
+    if (value) {
+      choice.set(name, value);
+    }
   }
 
-  return { link: link(), said };
+  return choice;
+}
+
+// with the keys as they were held, or nothing if none was
+function playedScene() {
+  const { isPlayed, name, text } = window.lab.played();
+  return isPlayed ? { name: name.replace(/-played$/, '') + '-played', text } : undefined;
+}
+
+// the starter is there anyway
+const ownScript = script => script?.text === window.lab.write?.starter && !script?.beside?.length ? undefined : script;
+
+// a scene of the gallery travels by its name
+async function ownText(scene, text) {
+  const answer = text && await fetch(`scenes/${encodeURIComponent(scene)}.json`).catch(() => undefined);
+  return answer?.ok && await answer.text() === text ? undefined : text;
 }
 
 /** The button that copies it. */
@@ -128,13 +158,13 @@ export function startLink() {
   label();
   document.querySelector('.switches').prepend(button);
   button.addEventListener('click', async () => {
-    const presses = window.lab.presses?.();
-    const { link, said } = await makeLink({ ...window.lab.state, presses }, location.href.split('#')[0]);
+    const { state } = window.lab, { link, said } = await makeLink(
+      { ...state, tab: tabInView(), sceneText: await ownText(state.scene, state.sceneText), script: ownScript(state.script) }, playedScene(), location.href.split('#')[0]);
     if (link) {
       const wasCopied = await navigator.clipboard?.writeText(link).then(() => true, () => false);
       if (!wasCopied) {
         history.replaceState(null, '', link);
-        follow(Object.keys(parts));
+        follow(['scene', 'sceneText', 'rule', 'script']);
       }
 
       said.unshift([wasCopied ? 'web.link.copied' : 'web.link.address', link.length]);

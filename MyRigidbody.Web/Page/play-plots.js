@@ -1,25 +1,20 @@
 // Curves under the picture: the library that draws them is loaded when they are looked at.
-function load(address) {
-  return new Promise((done, failed) => {
-    const script = document.createElement('script');
-    script.src = address;
-    script.onload = done;
-    script.onerror = () => failed(new Error(`${address}: cannot be loaded`));
-    document.head.append(script);
-  });
-}
+import { plotting } from './plotting.js';
 
 export function startPlots() {
   const place = document.getElementById('plots-part');
+  let isDrawn = false;
   place.addEventListener('toggle', async () => {
-    if (!place.open || window.Plotly) {
+    if (!place.open || isDrawn) {
       return;
     }
 
     try {
-      await load('plotly.min.js');
+      isDrawn = true;
+      await plotting();
       await import('../../MyRigidbody.Lab/Report/Page/plots.js');
     } catch (error) {
+      isDrawn = false;
       lab.say(error.message);
     }
   });
