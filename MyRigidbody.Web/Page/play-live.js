@@ -14,11 +14,15 @@ export class LiveMotion {
   #opened;
   #script;
 
-  // script: what steps the script's object, or null; stopped: told why the motion cannot go on
-  constructor(program, opened, script, stopped) {
+  #presses;
+
+  // script: what steps the script's object, or null; presses: [bit, from, to] of keys that are played as if they were held;
+  // stopped: told why the motion cannot go on
+  constructor(program, opened, script, presses, stopped) {
     this.#program = program;
     this.#opened = opened;
     this.#script = script;
+    this.#presses = presses;
     this.stopped = reason => {
       this.isOver = true;
       stopped(reason);
@@ -45,9 +49,31 @@ export class LiveMotion {
     return !this.isOver;
   }
 
+  // [bit, from, to] of each press so far, in steps
+  get presses() {
+    const all = [];
+    this.felt.forEach(({ key, isDown, step }) => {
+      const bit = keys.names.indexOf(key);
+      isDown ? all.push([bit, step, this.steps]) : all.findLast(press => press[0] === bit)[2] = step;
+    });
+    return all.filter(([, from, to]) => from < to);
+  }
+
+  get steps() {
+    return this.motion.times.length - 1;
+  }
+
+  #heldNow() {
+    const given = this.#presses.filter(([, from, to]) => from <= this.steps && this.steps < to);
+    return this.#opened.takesKeys ? given.reduce((bits, [bit]) => bits | 1 << bit, keys.held()) : 0;
+  }
+
   #step(count) {
-    const held = this.#opened.takesKeys ? keys.held() : 0;
-    const left = this.#opened.count - (this.motion.times.length - 1);
+    // no step may pass over the beginning or end of a press that was given
+    const next = this.#presses.flatMap(([, from, to]) => [from, to]).filter(step => step > this.steps);
+    count = Math.min(count, ...next.map(step => step - this.steps));
+    const held = this.#heldNow();
+    const left = this.#opened.count - this.steps;
     if (left <= 0) {
       this.stopped(report.word(this.#opened.count === this.#opened.most ? 'play.full' : 'play.over', this.end.toFixed(0)));
     } else if (this.#script) {
@@ -118,7 +144,7 @@ export class LiveMotion {
     keys.names.forEach((key, i) => {
       const [was, is] = [this.#held >> i & 1, held >> i & 1];
       if (was !== is) {
-        this.felt.push({ key, isDown: is === 1, step: this.motion.times.length - 1, at: performance.now() });
+        this.felt.push({ key, isDown: is === 1, step: this.steps, at: performance.now() });
         is ? windows.push({ key, en: key, zh: key, from: now, to: Infinity }) : windows.findLast(held => held.key === key).to = now;
       }
     });

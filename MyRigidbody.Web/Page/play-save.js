@@ -32,7 +32,7 @@ export function startSaving(played) {
     const { motion, poses } = played.live;
     const ofScript = motion.bodies.find(body => body.names);
     const answer = await ask({
-      do: 'report', file: name() + '.json', text: Live().Played(), beside: [], plotting: await (await fetch('plotly.min.js')).text(),
+      do: 'report', file: name() + '.json', text: Live().Played(), beside: lab.scene().beside, plotting: await (await fetch('plotly.min.js')).text(),
       ...(ofScript ? { script: { names: ofScript.names, poses: new Float64Array([...ofScript.position.slice(0, 3), ...ofScript.orientation.slice(0, 4), ...poses]) } } : {}),
     });
     lab.say(answer.finding ? answer.finding[report.language()] : '');

@@ -11,13 +11,8 @@ export function script({ name, text, beside = [] }) {
     return answer;
   };
   return {
-    // puts it on its object at the start of the scene
-    async begin(setting) {
-      const { finding } = told(await ask({ do: 'play', files, setting }));
-      if (finding) {
-        throw new Error(finding[report.language()]);
-      }
-    },
+    // puts it on its object at the start of the scene; what is wrong with it in the reader's language, or nothing
+    begin: async setting => told(await ask({ do: 'play', files, setting })).finding?.[report.language()] ?? '',
     step: async (held, count) => told(await ask({ do: 'step', held, count })),
   };
 }

@@ -52,4 +52,16 @@ export default {
   'scene.thruster': { en: 'thruster', zh: '推进器' },
   'scene.locked-door': { en: 'door on its axle', zh: '绕轴的门' },
   'scene.fall-with-drag': { en: 'fall with drag', zh: '有阻力的下落' },
+  // English readers have what stands in the file
+  'about.lab': { zh: '实验的立方体与 Unity 的刚体：0–3 s 按 r，1–2 s 按右键，1.5–2.5 s 按上键' },
+  'about.lab-box': { zh: '1 × 2 × 3 的长方体做同样的实验：0–3 s 按 r，1–2 s 按右键，1.5–2.5 s 按上键' },
+  'about.homework': { zh: '按作业的五个步骤运动的长盒子，与同样按键下按力学定律运动的盒子：作业省去了 ω × I ω' },
+  'about.t-handle': { zh: '太空中绕柄旋转的钢制 T 形手柄（由网格读入）：它一次又一次地翻转' },
+  'about.tumbling-slab': { zh: '绕中间轴旋转的自由刚体会反复翻转，一分钟九次；按 Unity 的规则它从不翻转' },
+  'about.hammer': { zh: '抛出的锤子，由柄和头组成：无论锤子怎样转，质心都沿抛物线飞行' },
+  'about.heavy-top': { zh: '尖端着地、倾斜半弧度的高速对称陀螺：缓慢进动并章动' },
+  'about.rocket': { zh: '两枚 5 kg 的火箭，推力同为 60 N，持续 8 s：其中一枚烧掉 4 kg 燃料，高度是另一枚的五倍多' },
+  'about.thruster': { zh: '飞船的推进器沿船身方向推动：作用于质心时直线前进；偏离质心时越转越快，推力互相抵消' },
+  'about.locked-door': { zh: '旋转门的上角受到一次冲击：锁定在轴上时只绕轴转动；不锁定时飞出并翻滚' },
+  'about.fall-with-drag': { zh: '两个球从静止下落：一个受与速度平方成正比的阻力，一个受与速度成正比的阻尼' },
 };

@@ -12,6 +12,7 @@ import { startPlots } from './play-plots.js';
 const byId = id => document.getElementById(id);
 const gallery = ['lab', 'lab-box', 'homework', 't-handle', 'tumbling-slab', 'hammer', 'heavy-top', 'rocket', 'thruster', 'locked-door', 'fall-with-drag'];
 const meshes = { 't-handle': ['t-handle.obj'] };
+const texts = new Map();
 
 addWords(words);
 
@@ -29,38 +30,52 @@ const get = async (address, as) => {
 
 async function textOf(name) {
   for (const mesh of meshes[name] ?? []) {
-    played.program.Live.Put(mesh, new Uint8Array(await get('scenes/' + mesh, 'arrayBuffer')));
+    texts.set(mesh, await get('scenes/' + mesh, 'text'));
+    played.program.Live.Put(mesh, new TextEncoder().encode(texts.get(mesh)));
   }
 
   return get(`scenes/${name}.json`, 'text');
 }
 
 // opens a scene, or the one that is open again, at its start; what is wrong with it is said, and nothing changes
-async function open(name = played.name, text = played.text) {
-  const { Live } = played.program;
+let turns = 0;
+async function open(name = played.name, text = played.text, presses = []) {
+  const turn = ++turns, ownKeys = !byId('file-keys').checked || presses.length > 0;
+  const read = withScript => JSON.parse(played.program.Live.Open(
+    name + '.json', text, byId('rule').value, byId('unity').checked, ownKeys, withScript));
+  let said = '';
   try {
-    const script = lab.state.scriptInPlay ? await scriptOf() : null;
-    const opened = JSON.parse(Live.Open(
-      name + '.json', text, byId('rule').value, byId('unity').checked, !byId('file-keys').checked, script !== null));
+    let script = lab.state.scriptInPlay && lab.state.script ? await scriptOf() : null;
+    let opened = read(script !== null);
     if (script) {
-      await script.begin(opened.setting);
+      said = await script.begin(opened.setting);
     }
 
-    Object.assign(played, { opened, name, text, live: new LiveMotion(played.program, opened, script, stop) });
-    lab.say('');
-    if (!report.words.speed) {
-      addWords(opened.motion.words);
-      report.setLanguage(report.language());
+    if (turn !== turns) {
+      return false;
     }
 
-    report.show(played.live.motion);
-    showScene();
-    return true;
+    if (script) {
+      script = said ? null : script;
+      opened = read(script !== null);
+    }
+
+    Object.assign(played, { opened, name, text, live: new LiveMotion(played.program, opened, script, presses, stop) });
   } catch (error) {
     lab.say(error.message);
     showScene();
     return false;
   }
+
+  if (!report.words.speed) {
+    addWords(played.opened.motion.words);
+    report.setLanguage(report.language());
+  }
+
+  lab.say(said);
+  report.show(played.live.motion);
+  showScene();
+  return true;
 }
 
 function stop(reason) {
@@ -68,11 +83,12 @@ function stop(reason) {
   lab.say(reason);
 }
 
-async function openNamed(name) {
+async function openNamed(name, presses) {
   try {
-    await open(name, await textOf(name));
+    return await open(name, await textOf(name), presses);
   } catch (error) {
     lab.say(error.message);
+    return false;
   }
 }
 
@@ -84,7 +100,8 @@ function showScene() {
   const isOwn = !gallery.includes(played.name);
   report.options('scene', [
     ...gallery.map(name => [name, report.word('scene.' + name)]), ...(isOwn && played.name ? [[played.name, played.name]] : [])], played.name);
-  byId('about').textContent = played.opened?.about ?? '';
+  const about = report.words['about.' + played.name];
+  byId('about').textContent = about && report.language() === 'zh' ? about.zh : played.opened?.about ?? '';
   byId('file-keys').closest('label').hidden = !played.opened?.motion.held.some(held => held.key && held.to > 0) && byId('file-keys').checked;
   lab.set({ scene: played.name, sceneText: played.text, rule: byId('rule').value || undefined });
 }
@@ -144,6 +161,13 @@ function show(motion) {
   report.setPlaying(true);
 }
 
+// the scene as it would be saved now: as it was played where a key was held, else as it is in its file, by the rule that is chosen
+function scene() {
+  const isPlayed = played.live.presses.length > 0;
+  const beside = (meshes[played.name] ?? []).map(name => ({ name, text: texts.get(name) }));
+  return { file: played.name + '.json', text: isPlayed ? played.program.Live.Played() : played.program.Live.Chosen(), beside, isPlayed };
+}
+
 export async function startPlay() {
   report.setLanguage(report.language());
   const { RigidBodyDynamics: { Web: { Play: { Live } } }, numbers } = await start('play', 'MyRigidbody.Web.Play');
@@ -158,11 +182,12 @@ export async function startPlay() {
   }
 
   listen();
-  const named = lab.state.scene;
-  if (lab.state.sceneText !== undefined) {
-    await open(named, lab.state.sceneText);
-  } else {
-    await openNamed(gallery.includes(named) ? named : gallery[0]);
+  Object.assign(lab, { scene, presses: () => played.live?.presses ?? [] });
+  const { scene: named, sceneText: text, presses } = lab.state;
+  if (!await (text !== undefined ? open(named, text, presses) : gallery.includes(named) && openNamed(named, presses))) {
+    const refused = document.getElementById('said').textContent;
+    await openNamed(gallery[0]);
+    lab.say(refused);
   }
 
   report.live = () => played.live;
