@@ -2,15 +2,15 @@
 const key = 'myrigidbody.script', keyBefore = 'myrigidbody.script.before', opened = 'myrigidbody.link';
 
 export const keep = {
-  get script() { return read(localStorage, key); },
-  set script(value) { write(localStorage, key, value); },
-  get before() { return read(localStorage, keyBefore); },
-  set before(value) { write(localStorage, keyBefore, value); },
+  get script() { return read('localStorage', key); },
+  set script(value) { write('localStorage', key, value); },
+  get before() { return read('localStorage', keyBefore); },
+  set before(value) { write('localStorage', keyBefore, value); },
 
   // a reload of a link that was opened in this tab does not replace what has been typed since
   isNew(link) {
-    const isSeen = read(sessionStorage, opened) === link;
-    write(sessionStorage, opened, link);
+    const isSeen = read('sessionStorage', opened) === link;
+    write('sessionStorage', opened, link);
     return !isSeen;
   },
 
@@ -18,9 +18,10 @@ export const keep = {
   works: true,
 };
 
+// a browser may refuse the storage itself
 function read(storage, name) {
   try {
-    return JSON.parse(storage.getItem(name));
+    return JSON.parse(window[storage].getItem(name));
   } catch {
     keep.works = false;
     return null;
@@ -29,7 +30,7 @@ function read(storage, name) {
 
 function write(storage, name, value) {
   try {
-    storage.setItem(name, JSON.stringify(value));
+    window[storage].setItem(name, JSON.stringify(value));
   } catch {
     keep.works = false;
   }
