@@ -14,15 +14,12 @@ export class LiveMotion {
   #opened;
   #script;
 
-  #presses;
 
-  // script: what steps the script's object, or null; presses: [bit, from, to] of keys that are played as if they were held;
-  // stopped: told why the motion cannot go on
-  constructor(program, opened, script, presses, stopped) {
+  // script: what steps the script's object, or null; stopped: told why the motion cannot go on
+  constructor(program, opened, script, stopped) {
     this.#program = program;
     this.#opened = opened;
     this.#script = script;
-    this.#presses = presses;
     this.stopped = reason => {
       this.isOver = true;
       stopped(reason);
@@ -49,30 +46,12 @@ export class LiveMotion {
     return !this.isOver;
   }
 
-  // [bit, from, to] of each press so far, in steps
-  get presses() {
-    const all = [];
-    this.felt.forEach(({ key, isDown, step }) => {
-      const bit = keys.names.indexOf(key);
-      isDown ? all.push([bit, step, this.steps]) : all.findLast(press => press[0] === bit)[2] = step;
-    });
-    return all.filter(([, from, to]) => from < to);
-  }
-
   get steps() {
     return this.motion.times.length - 1;
   }
 
-  #heldNow() {
-    const given = this.#presses.filter(([, from, to]) => from <= this.steps && this.steps < to);
-    return this.#opened.takesKeys ? given.reduce((bits, [bit]) => bits | 1 << bit, keys.held()) : 0;
-  }
-
   #step(count) {
-    // no step may pass over the beginning or end of a press that was given
-    const next = this.#presses.flatMap(([, from, to]) => [from, to]).filter(step => step > this.steps);
-    count = Math.min(count, ...next.map(step => step - this.steps));
-    const held = this.#heldNow();
+    const held = this.#opened.takesKeys ? keys.held() : 0;
     const left = this.#opened.count - this.steps;
     if (left <= 0) {
       this.stopped(report.word(this.#opened.count === this.#opened.most ? 'play.full' : 'play.over', this.end.toFixed(0)));

@@ -29,10 +29,12 @@ export function startSaving(played) {
   async function reportPage() {
     lab.say(report.word('play.saving'));
     const { ask } = await import('./scripts.js');
+    const get = async address => (await fetch(address)).text();
+    const beside = await Promise.all(lab.played().meshes.map(async name => ({ name, text: await get('scenes/' + name) })));
     const { motion, poses } = played.live;
     const ofScript = motion.bodies.find(body => body.names);
     const answer = await ask({
-      do: 'report', file: name() + '.json', text: Live().Played(), beside: lab.scene().beside, plotting: await (await fetch('plotly.min.js')).text(),
+      do: 'report', file: name() + '.json', text: Live().Played(), beside, plotting: await get('plotly.min.js'),
       ...(ofScript ? { script: { names: ofScript.names, poses: new Float64Array([...ofScript.position.slice(0, 3), ...ofScript.orientation.slice(0, 4), ...poses]) } } : {}),
     });
     lab.say(answer.finding ? answer.finding[report.language()] : '');

@@ -16,7 +16,7 @@ export function startTelling(played) {
   const tell = text => live.textContent = text;
   report.on('motion', () => {
     const bodies = report.data.bodies.map(body => body.name).join(', ');
-    tell(word('play.opened', played.opened.name, bodies));
+    tell(word('play.opened', played.live ? played.opened.name : '', bodies));
   });
   report.on('playing', () => tell(report.playing() ? '' : word('play.paused', report.time().toFixed(digits), summary())));
   report.on('own keys', () => tell(word('play.yours')));

@@ -12,7 +12,6 @@ import { startPlots } from './play-plots.js';
 const byId = id => document.getElementById(id);
 const gallery = ['lab', 'lab-box', 'homework', 't-handle', 'tumbling-slab', 'hammer', 'heavy-top', 'rocket', 'thruster', 'locked-door', 'fall-with-drag'];
 const meshes = { 't-handle': ['t-handle.obj'] };
-const texts = new Map();
 
 addWords(words);
 
@@ -30,8 +29,7 @@ const get = async (address, as) => {
 
 async function textOf(name) {
   for (const mesh of meshes[name] ?? []) {
-    texts.set(mesh, await get('scenes/' + mesh, 'text'));
-    played.program.Live.Put(mesh, new TextEncoder().encode(texts.get(mesh)));
+    played.program.Live.Put(mesh, new Uint8Array(await get('scenes/' + mesh, 'arrayBuffer')));
   }
 
   return get(`scenes/${name}.json`, 'text');
@@ -39,8 +37,8 @@ async function textOf(name) {
 
 // opens a scene, or the one that is open again, at its start; what is wrong with it is said, and nothing changes
 let turns = 0;
-async function open(name = played.name, text = played.text, presses = []) {
-  const turn = ++turns, ownKeys = !byId('file-keys').checked || presses.length > 0;
+async function open(name = played.name, text = played.text) {
+  const turn = ++turns, ownKeys = !byId('file-keys').checked;
   const read = withScript => JSON.parse(played.program.Live.Open(
     name + '.json', text, byId('rule').value, byId('unity').checked, ownKeys, withScript));
   let said = '';
@@ -60,7 +58,7 @@ async function open(name = played.name, text = played.text, presses = []) {
       opened = read(script !== null);
     }
 
-    Object.assign(played, { opened, name, text, live: new LiveMotion(played.program, opened, script, presses, stop) });
+    Object.assign(played, { opened, name, text, live: new LiveMotion(played.program, opened, script, stop) });
   } catch (error) {
     lab.say(error.message);
     showScene();
@@ -83,9 +81,9 @@ function stop(reason) {
   lab.say(reason);
 }
 
-async function openNamed(name, presses) {
+async function openNamed(name) {
   try {
-    return await open(name, await textOf(name), presses);
+    return await open(name, await textOf(name));
   } catch (error) {
     lab.say(error.message);
     return false;
@@ -161,13 +159,6 @@ function show(motion) {
   report.setPlaying(true);
 }
 
-// the scene as it would be saved now: as it was played where a key was held, else as it is in its file, by the rule that is chosen
-function scene() {
-  const isPlayed = played.live.presses.length > 0;
-  const beside = (meshes[played.name] ?? []).map(name => ({ name, text: texts.get(name) }));
-  return { file: played.name + '.json', text: isPlayed ? played.program.Live.Played() : played.program.Live.Chosen(), beside, isPlayed };
-}
-
 export async function startPlay() {
   report.setLanguage(report.language());
   const { RigidBodyDynamics: { Web: { Play: { Live } } }, numbers } = await start('play', 'MyRigidbody.Web.Play');
@@ -182,9 +173,8 @@ export async function startPlay() {
   }
 
   listen();
-  Object.assign(lab, { scene, presses: () => played.live?.presses ?? [] });
-  const { scene: named, sceneText: text, presses } = lab.state;
-  if (!await (text !== undefined ? open(named, text, presses) : gallery.includes(named) && openNamed(named, presses))) {
+  const { scene: named, sceneText: text } = lab.state;
+  if (!await (text !== undefined ? open(named, text) : gallery.includes(named) && openNamed(named))) {
     const refused = document.getElementById('said').textContent;
     await openNamed(gallery[0]);
     lab.say(refused);
