@@ -4,6 +4,8 @@ const codes = { ArrowLeft: 'LeftArrow', ArrowRight: 'RightArrow', ArrowUp: 'UpAr
 
 // by what each is held: a key of the keyboard, a finger
 const holders = new Map();
+// a key that went down and up again before a step was made acts in that step all the same
+const taps = new Set();
 const listeners = [];
 
 const keyOf = event => codes[event.code] ?? codes[event.key] ?? (event.key.toLowerCase() === 'r' ? 'R' : undefined);
@@ -11,6 +13,7 @@ const keyOf = event => codes[event.code] ?? codes[event.key] ?? (event.key.toLow
 function hold(holder, key) {
   if (!holders.has(holder)) {
     holders.set(holder, key);
+    taps.add(key);
     listeners.forEach(listener => listener(key));
   }
 }
@@ -18,6 +21,7 @@ function hold(holder, key) {
 const release = holder => holders.delete(holder);
 const releaseAll = () => {
   holders.clear();
+  taps.clear();
   document.querySelectorAll('[data-key][aria-pressed]').forEach(button => button.setAttribute('aria-pressed', 'false'));
 };
 
@@ -26,7 +30,9 @@ export const keys = {
   // told when a key goes down
   on: listener => listeners.push(listener),
   // a bit for each key, the first the lowest
-  held: () => [...new Set(holders.values())].reduce((bits, key) => bits | 1 << names.indexOf(key), 0),
+  held: () => [...holders.values(), ...taps].reduce((bits, key) => bits | 1 << names.indexOf(key), 0),
+  // a step has been made of them
+  felt: () => taps.clear(),
 };
 
 // what takes keys for itself: text, lists, sliders

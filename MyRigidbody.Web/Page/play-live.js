@@ -52,6 +52,7 @@ export class LiveMotion {
 
   #step(count) {
     const held = this.#opened.takesKeys ? keys.held() : 0;
+    keys.felt();
     const left = this.#opened.count - this.steps;
     if (left <= 0) {
       this.stopped(report.word(this.#opened.count === this.#opened.most ? 'play.full' : 'play.over', this.end.toFixed(0)));
