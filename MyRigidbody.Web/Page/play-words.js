@@ -13,7 +13,7 @@ export default {
   'play.on': { en: 'A step on', zh: '前进一步' },
   'play.now': { en: 'Now', zh: '现在' },
   'play.scene': { en: 'Scene', zh: '场景' },
-  'play.rule': { en: 'MyRigidbody by', zh: 'MyRigidbody 的方法' },
+  'play.rule': { en: 'MyRigidbody by', zh: 'MyRigidbody 的积分器' },
   'play.asInFile': { en: 'as in the scene', zh: '按场景' },
   'play.unity': { en: 'Unity’s body', zh: 'Unity 的刚体' },
   'play.fileKeys': { en: 'Keys of the scene', zh: '场景中的按键' },
