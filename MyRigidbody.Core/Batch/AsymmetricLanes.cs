@@ -14,14 +14,19 @@ namespace RigidBodyDynamics
     {
         public const int Q = CompositionLanes.Columns, QLost = Q + 4, W = QLost + 4, WLost = W + 3;
         public const int Energy = WLost + 3, Separation = Energy + 1, Scale = Energy + 2, PreparedFor = Energy + 3;
-        public const int InverseEnergy = Energy + 4, S = InverseEnergy + 1, C1 = S + 1, C3 = S + 2, V1 = S + 3, V3 = S + 4, C = S + 5, Z = S + 6;
+        public const int InverseEnergy = Energy + 4, S = InverseEnergy + 1;
+
+        /// <summary>1 − c₁ and 1 − c₃; c₁ and c₃ themselves where the turn is not short.</summary>
+        public const int First = S + 1, Third = S + 2;
+
+        public const int InverseSquare = S + 3, Sine = S + 4, SineLost = S + 5, Versine = S + 6;
 
         /// <summary>How many turns a step takes; negative where they are not short.</summary>
         public const int Turns = S + 7;
 
         private AsymmetricTop _one;
         private TopShape _shape;
-        private Lanes _i1, _i3, _k1, _k2, _k3, _k1k2, _k1k3, _g1, _g3, _m1, _m3;
+        private Lanes _i1, _i3, _half1, _half3, _k1, _k2, _k3, _k1k2, _k1k3, _g1, _g3, _m1, _m3;
         // what one pass over a block leaves to the next
         private Columns _left;
 
@@ -33,6 +38,8 @@ namespace RigidBodyDynamics
             _shape = mass.Shape;
             _i1 = new Lanes(_shape.I1);
             _i3 = new Lanes(_shape.I3);
+            _half1 = new Lanes(0.5 * _shape.I1);
+            _half3 = new Lanes(0.5 * _shape.I3);
             _k1 = new Lanes(_shape.K1);
             _k2 = new Lanes(_shape.K2);
             _k3 = new Lanes(_shape.K3);
@@ -42,7 +49,7 @@ namespace RigidBodyDynamics
             _g3 = new Lanes(_shape.G3);
             _m1 = new Lanes(_shape.M1);
             _m3 = new Lanes(_shape.M3);
-            _left = new Columns(WLost0 + 3);
+            _left = new Columns(R + 4);
             _left.Reserve(RigidBodyDynamics.Columns.RowsOfBlock);
         }
 
@@ -67,7 +74,7 @@ namespace RigidBodyDynamics
             Lanes e1 = (two * w.X + d1) * d1, e2 = (two * w.Y + d2) * d2, e3 = (two * w.Z + d3) * d3;
             bodies[Energy] += _i1 * e1 + e2 + _i3 * e3;
             bodies[Separation] += _m1 * e1 - _m3 * e3;
-            Change(ref w, ref lost, d1, d2, d3);
+            RunningSum.Add(ref w, ref lost, new VectorLanes(d1, d2, d3));
             w.Write(bodies, W);
             lost.Write(bodies, WLost);
             bodies[PreparedFor] = new Lanes(double.NaN);
@@ -80,6 +87,7 @@ namespace RigidBodyDynamics
 
             Lanes scale = decay.Of(bodies[Scale]);
             bodies[Scale] = scale;
+            bodies[PreparedFor] = new Lanes(double.NaN);
             Masks small = Vector.LessThan(scale, new Lanes(AsymmetricTop.LeastScale));
             if (Vector.LessThanAny(scale, new Lanes(AsymmetricTop.LeastScale)))
                 Fold(bodies, small);
@@ -97,19 +105,19 @@ namespace RigidBodyDynamics
             {
                 Block few = bodies.Part(i, Lanes.Count);
                 Group group = few.At(0);
-                if (AreShort(group))
+                if (Vector.EqualsAll(group[Turns], Lanes.One))
                     TurnShort(few);
                 else if (Vector.LessThanOrEqualAll(Vector.Abs(group[Turns]), Lanes.One))
                     TurnAny(few);
                 else
-                    TurnOneByOne(group, time);
+                    TurnOneByOne(group);
             }
         }
 
         /// <summary>Prepares where that is wanted. True if all bodies are to make one short turn.</summary>
         private bool Prepare(in Block bodies, double time)
         {
-            bool areShort = true;
+            bool areShort = true, areKept = bodies.IsWhole;
             for (int i = 0; i < bodies.Rows; i += Lanes.Count)
             {
                 Group group = bodies.At(i);
@@ -117,97 +125,91 @@ namespace RigidBodyDynamics
                 if (!Vector.EqualsAll(scaled, group[PreparedFor]))
                     Prepare(group, scaled, time);
 
-                areShort &= AreShort(group);
+                areShort &= Vector.EqualsAll(group[Turns], Lanes.One);
+                areKept &= Vector.EqualsAll(scaled, group[PreparedFor]);
             }
 
             // a part of a block can say nothing about all of it
-            if (areShort && bodies.IsWhole)
+            if (areShort && areKept)
                 bodies.ReadyFor = time;
 
             return areShort;
         }
 
-        /// <summary>True if each makes one short turn, whose C is what is left of 1 by V.</summary>
-        private static bool AreShort(in Group bodies) => Vector.EqualsAll(bodies[Turns], Lanes.One)
-            && Vector.EqualsAll(bodies[C1], Lanes.One - bodies[V1]) && Vector.EqualsAll(bodies[C3], Lanes.One - bodies[V3]);
-
         /// <summary>Prepares those that are prepared for another time.</summary>
         private void Prepare(in Group bodies, Lanes scaled, double time)
         {
             VectorLanes w = new VectorLanes(bodies, W);
-            Lanes energy = _i1 * w.X * w.X + w.Y * w.Y + _i3 * w.Z * w.Z, separation = _m1 * w.X * w.X - _m3 * w.Z * w.Z;
-            Lanes a1 = _i1 * w.X * w.X + _g1 * w.Y * w.Y, a3 = _i3 * w.Z * w.Z + _g3 * w.Y * w.Y, same = new Lanes(AsymmetricTop.SameInvariant);
+            Lanes w11 = w.X * w.X, w22 = w.Y * w.Y, w33 = w.Z * w.Z, same = new Lanes(AsymmetricTop.SameInvariant);
+            Lanes energy = _i1 * w11 + w22 + _i3 * w33, separation = _m1 * w11 - _m3 * w33;
+            Lanes a1 = _i1 * w11 + _g1 * w22, a3 = _i3 * w33 + _g3 * w22;
             Lanes held = bodies[Energy], heldSeparation = bodies[Separation];
             held = Vector.ConditionalSelect(Vector.LessThanOrEqual(Vector.Abs(held - energy), same * energy), held, energy);
             heldSeparation = Vector.ConditionalSelect(
                 Vector.LessThanOrEqual(Vector.Abs(heldSeparation - separation), same * (_g3 * a1 + _g1 * a3)), heldSeparation, separation);
 
-            Masks isOther = ~Vector.Equals(scaled, bodies[PreparedFor]);
+            Masks isOther = ~Vector.Equals(scaled, bodies[PreparedFor]), isKept = Vector.Equals(bodies[PreparedFor], new Lanes(AsymmetricTop.ForOneStep));
             Masks isTurning = isOther & Vector.GreaterThan(held, new Lanes(AsymmetricTop.Resting))
                 & Vector.GreaterThan(held * scaled * scaled, new Lanes(AsymmetricTop.NoTurn));
             OrbitLanes orbit = default(OrbitLanes);
             Lanes rate = Vector.Max(_shape.AlphaOfA3 * a3, _shape.BetaOfA1 * a1);
-            Masks isOneByOne = Masks.Zero;
-            if (!Vector.EqualsAll(isTurning, Masks.Zero))
+            Masks isOneByOne = isTurning & isKept;
+            if (!Vector.EqualsAll(isTurning & ~isKept, Masks.Zero))
             {
-                // more than one turn is prepared for one by one, from what is there now
+                // more than one turn is prepared for one by one, from what is there now, and so is what is kept
                 const double Longest = AsymmetricTop.LongestNearUnstable * AsymmetricTop.LongestNearUnstable;
                 orbit.Set(_shape, a1, a3, heldSeparation, scaled);
-                isOneByOne = Vector.LessThan(Vector.Abs(_shape.DeltaOfQ * heldSeparation), 0.01 * rate)
-                    & Vector.GreaterThan(rate * scaled * scaled, new Lanes(Longest));
-                isOneByOne = isTurning & (isOneByOne | orbit.IsIllConditioned);
+                isOneByOne |= isTurning & (orbit.IsIllConditioned | (Vector.LessThan(Vector.Abs(_shape.DeltaOfQ * heldSeparation), 0.01 * rate)
+                    & Vector.GreaterThan(rate * scaled * scaled, new Lanes(Longest))));
             }
 
-            Masks isShort = Vector.LessThanOrEqual(rate * orbit.S * orbit.S, new Lanes(AsymmetricTop.ShortSquared))
-                & Vector.GreaterThan(orbit.C1, Lanes.Zero) & Vector.GreaterThan(orbit.C3, Lanes.Zero), isHere = isOther & ~isOneByOne;
+            Lanes shortSquared = new Lanes(AsymmetricTop.ShortSquared), swing = -_shape.DeltaOfQ * a1 * a3 * orbit.InverseSquare * (scaled * scaled);
+            Masks isShort = Vector.LessThanOrEqual(rate * orbit.S * orbit.S, shortSquared) & Vector.LessThanOrEqual(swing, shortSquared)
+                & Vector.GreaterThan(orbit.C1, Lanes.Zero) & Vector.GreaterThan(orbit.C3, Lanes.Zero)
+                & Vector.LessThanOrEqual(orbit.Versine, new Lanes(AsymmetricTop.LargestVersine)), isHere = isOther & ~isOneByOne;
             Set(ref bodies[Energy], isHere, held);
             Set(ref bodies[Separation], isHere, heldSeparation);
-            Set(ref bodies[PreparedFor], isHere, scaled);
+            Set(ref bodies[PreparedFor], isHere, Vector.ConditionalSelect(isKept, scaled, new Lanes(AsymmetricTop.ForOneStep)));
             Set(ref bodies[Turns], isHere, Vector.ConditionalSelect(isTurning, Vector.ConditionalSelect(isShort, Lanes.One, -Lanes.One), Lanes.Zero));
             Set(ref bodies[InverseEnergy], isHere, new Lanes(0.5) / held);
             Set(ref bodies[S], isHere, orbit.S);
-            Set(ref bodies[C1], isHere, orbit.C1);
-            Set(ref bodies[C3], isHere, orbit.C3);
-            Set(ref bodies[V1], isHere, orbit.V1);
-            Set(ref bodies[V3], isHere, orbit.V3);
-            Set(ref bodies[C], isHere, orbit.C);
-            Set(ref bodies[Z], isHere, orbit.Z);
+            Set(ref bodies[First], isHere, Vector.ConditionalSelect(isShort, orbit.V1, orbit.C1));
+            Set(ref bodies[Third], isHere, Vector.ConditionalSelect(isShort, orbit.V3, orbit.C3));
+            Set(ref bodies[InverseSquare], isHere, orbit.InverseSquare);
+            Set(ref bodies[Sine], isHere, orbit.Sine);
+            Set(ref bodies[SineLost], isHere, Lanes.Zero);
+            Set(ref bodies[Versine], isHere, orbit.Versine);
             if (!Vector.EqualsAll(isOneByOne, Masks.Zero))
-                PrepareOneByOne(bodies, time);
+                PrepareOneByOne(bodies, isOneByOne, time);
         }
 
-        private void PrepareOneByOne(in Group bodies, double time)
+        private void PrepareOneByOne(in Group bodies, Masks which, double time)
         {
             for (int i = 0; i < Lanes.Count; i++)
             {
+                if (which[i] == 0)
+                    continue;
+
                 AsymmetricTop one = _one;
                 one.Carry(bodies.Row(i, isOut: false), isAll: true);
-                one.PrepareFor(time);
+                one.Prepare(time * bodies[Scale][i]);
                 one.Carry(bodies.Row(i, isOut: true), isAll: true);
             }
         }
 
-        private void TurnOneByOne(in Group bodies, double time)
+        private void TurnOneByOne(in Group bodies)
         {
             for (int i = 0; i < Lanes.Count; i++)
             {
                 AsymmetricTop one = _one;
                 one.Carry(bodies.Row(i, isOut: false), isAll: true);
-                one.Advance(time);
+                one.Turn();
                 one.Carry(bodies.Row(i, isOut: true), isAll: true);
             }
         }
 
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
         private static void Set(ref Lanes number, Masks where, Lanes value) => number = Vector.ConditionalSelect(where, value, number);
-
-        [MethodImpl(MethodImplOptions.AggressiveInlining)]
-        private static void Change(ref VectorLanes w, ref VectorLanes lost, Lanes d1, Lanes d2, Lanes d3)
-        {
-            RunningSum.Add(ref w.X, ref lost.X, d1);
-            RunningSum.Add(ref w.Y, ref lost.Y, d2);
-            RunningSum.Add(ref w.Z, ref lost.Z, d3);
-        }
 
         /// <summary>Where asked for, takes the damping into the angular velocity itself.</summary>
         private static void Fold(in Group bodies, Masks where)

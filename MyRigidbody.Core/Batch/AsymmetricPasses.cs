@@ -12,110 +12,111 @@ namespace RigidBodyDynamics
     /// </summary>
     internal partial struct AsymmetricLanes
     {
-        // what the second pass takes from the first: the turn r, M where it is wanted, and of a body at rest what it was
-        private const int R0 = 0, M = 4, W0 = 7, WLost0 = 10;
+        // what the second pass takes from the first: ε, and the vector part of the turn, of which the series of ε makes a unit
+        private const int E = 0, R = 1;
 
         [MethodImpl(Kernel.Compiled)]
-        private void TurnShort(in Block bodies) => Turn(bodies, areShort: true);
-
-        /// <summary>Where not all turns are short, some of the bodies may be at rest.</summary>
-        [MethodImpl(Kernel.Compiled)]
-        private void TurnAny(in Block bodies) => Turn(bodies, areShort: false);
-
-        [MethodImpl(MethodImplOptions.AggressiveInlining)]
-        private void Turn(in Block bodies, bool areShort)
+        private void TurnShort(in Block bodies)
         {
             Block passed = _left.From(0, bodies.Rows);
             for (int i = 0; i < bodies.Rows; i += Lanes.Count)
-                Spin(bodies.At(i), passed.At(i), areShort);
+                Spin(bodies.At(i), passed.At(i));
 
             for (int i = 0; i < bodies.Rows; i += Lanes.Count)
-                Orient(bodies.At(i), passed.At(i), areShort);
+                Orient(bodies.At(i), passed.At(i));
         }
 
         /// <summary>The first pass, over w: to w₊, and what that turns the body by.</summary>
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
-        private void Spin(in Group bodies, in Group left, bool areShort)
+        private void Spin(in Group bodies, in Group left)
         {
             VectorLanes w = new VectorLanes(bodies, W), wLost = new VectorLanes(bodies, WLost);
-            Lanes w1 = w.X, w2 = w.Y, w3 = w.Z, o = bodies[S], v1 = bodies[V1], v3 = bodies[V3], k1o = _k1 * o;
-            Lanes oc1 = areShort ? Lanes.One - v1 : bodies[C1], oc3 = areShort ? Lanes.One - v3 : bodies[C3];
-            Lanes k = _k1k3 * o * o * w2 * w2, inverse = Lanes.One / (Lanes.One - k);
-            Lanes d1 = (w1 * (k - v1) + k1o * oc3 * w2 * w3) * inverse;
-            Lanes d2 = (w2 * (k - (v1 + v3 - v1 * v3)) + _k2 * o * w3 * w1) * inverse;
-            Lanes d3 = (w3 * (k - v3) + _k3 * o * oc1 * w1 * w2) * inverse;
-            Lanes p1 = w1, p2 = w2, p3 = w3;
-            if (!areShort)
-            {
-                Masks isShort = Vector.GreaterThan(bodies[Turns], Lanes.Zero);
-                inverse = Lanes.One / (oc1 * oc1 - _k1k2 * o * o * w3 * w3);
-                p1 = Vector.ConditionalSelect(isShort, w1, (w1 * oc1 + k1o * oc3 * w2 * w3) * inverse);
-                p2 = Vector.ConditionalSelect(isShort, w2, (w2 * oc1 * oc3 + _k2 * o * w3 * w1) * inverse);
-                p3 = Vector.ConditionalSelect(isShort, w3, (w3 * oc3 + _k3 * o * oc1 * w1 * w2) * inverse);
-                d1 = Vector.ConditionalSelect(isShort, d1, p1 - w1);
-                d2 = Vector.ConditionalSelect(isShort, d2, p2 - w2);
-                d3 = Vector.ConditionalSelect(isShort, d3, p3 - w3);
-                w.Write(left, W0);
-                wLost.Write(left, WLost0);
-            }
-
-            Lanes half = new Lanes(0.5), two = new Lanes(2), inverseEnergy = bodies[InverseEnergy];
-            Lanes a = inverseEnergy * (_i1 * p1 * p1 + p2 * p2 + _i3 * p3 * p3) - half;
-            Lanes x1 = _m1 * p1 * p1, x3 = _m3 * p3 * p3, x = x1 - x3, lambda = two * inverseEnergy * x;
-            Lanes b = (x - two * a * x - bodies[Separation]) / (two * (_g3 * x1 + _g1 * x3) + new Lanes(AsymmetricTop.Tiny));
-            d1 -= p1 * (a + b * (_g3 - lambda));
-            d2 -= p2 * (a - b * lambda);
-            d3 -= p3 * (a - b * (_g1 + lambda));
-            Change(ref w, ref wLost, d1, d2, d3);
+            Lanes w1 = w.X, w2 = w.Y, w3 = w.Z, o = bodies[S], v1 = bodies[First], v3 = bodies[Third], one = Lanes.One;
+            Wrong(bodies, w, out Lanes a, out Lanes b, out Lanes lambda);
+            Lanes k = _k1k3 * (o * o) * (w2 * w2), inverse = one / (one - k);
+            Lanes d1 = (w1 * (k - v1) + _k1 * (o * (one - v3)) * (w2 * w3)) * inverse - w1 * a - b * (w1 * (_g3 - lambda));
+            Lanes d2 = (w2 * (k - (v1 + v3 - v1 * v3)) + _k2 * o * (w3 * w1)) * inverse - w2 * a + b * (w2 * lambda);
+            Lanes d3 = (w3 * (k - v3) + _k3 * (o * (one - v1)) * (w1 * w2)) * inverse - w3 * a + b * (w3 * (_g1 + lambda));
+            RunningSum.Add(ref w, ref wLost, new VectorLanes(d1, d2, d3));
             w.Write(bodies, W);
             wLost.Write(bodies, WLost);
 
-            Lanes c = bodies[C], z = bodies[Z];
-            Lanes m1 = _i1 * w1, m2 = w2, m3 = _i3 * w3, c1 = _i1 * d1, c2 = d2, c3 = _i3 * d3;
-            Lanes s1 = two * m1 + c1, s2 = two * m2 + c2, s3 = two * m3 + c3;
-            left[R0] = half * c * (s1 * s1 + s2 * s2 + s3 * s3);
-            left[R0 + 1] = c * (c2 * m3 - c3 * m2) + z * s1;
-            left[R0 + 2] = c * (c3 * m1 - c1 * m3) + z * s2;
-            left[R0 + 3] = c * (c1 * m2 - c2 * m1) + z * s3;
-            if (!areShort)
-                new VectorLanes(m1, m2, m3).Write(left, M);
+            Lanes h1 = _half1 * d1, h2 = new Lanes(0.5) * d2, h3 = _half3 * d3, m1 = _i1 * w1 + h1, m2 = w2 + h2, m3 = _i3 * w3 + h3;
+            Lanes inverseSquare = bodies[InverseSquare], cosine = (one - bodies[Versine]) * inverseSquare, sine = bodies[Sine];
+            left[R] = cosine * (h2 * m3 - h3 * m2) + sine * m1;
+            left[R + 1] = cosine * (h3 * m1 - h1 * m3) + sine * m2;
+            left[R + 2] = cosine * (h1 * m2 - h2 * m1) + sine * m3;
+            left[E] = (h1 * h1 + h2 * h2 + h3 * h3) * inverseSquare;
         }
 
         /// <summary>The second pass, over q.</summary>
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
-        private void Orient(in Group bodies, in Group left, bool areShort)
+        private static void Orient(in Group bodies, in Group left)
         {
-            Lanes r0 = left[R0], r1 = left[R0 + 1], r2 = left[R0 + 2], r3 = left[R0 + 3];
-            Lanes vv = r1 * r1 + r2 * r2 + r3 * r3, n = Vector.SquareRoot(r0 * r0 + vv);
-            n = Vector.ConditionalSelect(Vector.LessThan(r0, Lanes.Zero), -n, n);
-            Lanes f = Lanes.One / (n * (n + r0)), v = f * (n + r0);
+            Lanes e = left[E], ee = e * e, v = bodies[Versine], less = v + (e - v * e);
+            Lanes y1 = new Lanes(AsymmetricTop.Y1) + e * new Lanes(AsymmetricTop.Y2), y3 = new Lanes(AsymmetricTop.Y3) + e * new Lanes(AsymmetricTop.Y4);
+            Lanes y5 = new Lanes(AsymmetricTop.Y5) + e * new Lanes(AsymmetricTop.Y6), y7 = new Lanes(AsymmetricTop.Y7) + e * new Lanes(AsymmetricTop.Y8);
+            Lanes y = e * (y1 + ee * y3 + ee * ee * (y5 + ee * y7)), more = y + bodies[SineLost];
             QuaternionLanes q = new QuaternionLanes(bodies, Q), qLost = new QuaternionLanes(bodies, QLost);
-            VectorLanes momentum = areShort ? default(VectorLanes) : q.Rotate(new VectorLanes(left, M));
-            SmallTurn.Add(ref q, ref qLost, q * new QuaternionLanes(-vv * f, v * r1, v * r2, v * r3));
-            if (Vector.LessThanAny(r0, Lanes.Zero))
-            {
-                Lanes sign = Vector.ConditionalSelect(Vector.LessThan(r0, Lanes.Zero), new Lanes(-1), Lanes.One);
-                q = sign * q;
-                qLost = sign * qLost;
-            }
-
-            if (!areShort)
-            {
-                Masks isShort = Vector.GreaterThan(bodies[Turns], Lanes.Zero), isAtRest = Vector.Equals(bodies[Turns], Lanes.Zero);
-                QuaternionLanes kept = q, keptLost = qLost;
-                VectorLanes w = new VectorLanes(bodies, W), now = q.Rotate(new VectorLanes(_i1 * w.X, w.Y, _i3 * w.Z));
-                VectorLanes back = new Lanes(0.5) / VectorLanes.Dot(now, now) * VectorLanes.Cross(now, momentum);
-                SmallTurn.Add(ref kept, ref keptLost, new QuaternionLanes(Lanes.Zero, back) * q);
-                q = QuaternionLanes.Choose(isShort, q, kept);
-                qLost = QuaternionLanes.Choose(isShort, qLost, keptLost);
-                q = QuaternionLanes.Choose(isAtRest, new QuaternionLanes(bodies, Q), q);
-                qLost = QuaternionLanes.Choose(isAtRest, new QuaternionLanes(bodies, QLost), qLost);
-                VectorLanes.Choose(isAtRest, new VectorLanes(left, W0), w).Write(bodies, W);
-                VectorLanes.Choose(isAtRest, new VectorLanes(left, WLost0), new VectorLanes(bodies, WLost)).Write(bodies, WLost);
-            }
-
+            Lanes q0 = q.W, q1 = q.X, q2 = q.Y, q3 = q.Z, r1 = left[R], r2 = left[R + 1], r3 = left[R + 2];
+            Lanes r0 = (new Lanes(0.5) * (Lanes.One - (q0 * q0 + q1 * q1 + (q2 * q2 + q3 * q3))) - less + y) - less * y;
+            Lanes t0 = q1 * r1 + q2 * r2 + q3 * r3, t1 = q0 * r1 + (q2 * r3 - q3 * r2);
+            Lanes t2 = q0 * r2 + (q3 * r1 - q1 * r3), t3 = q0 * r3 + (q1 * r2 - q2 * r1);
+            RunningSum.Add(ref q.W, ref qLost.W, q0 * r0 - (t0 + more * t0));
+            RunningSum.Add(ref q.X, ref qLost.X, q1 * r0 + (t1 + more * t1));
+            RunningSum.Add(ref q.Y, ref qLost.Y, q2 * r0 + (t2 + more * t2));
+            RunningSum.Add(ref q.Z, ref qLost.Z, q3 * r0 + (t3 + more * t3));
             q.Write(bodies, Q);
             qLost.Write(bodies, QLost);
+        }
+
+        /// <summary>One turn of each of a group of which some are long, or none at all.</summary>
+        private void TurnAny(in Block few)
+        {
+            Group bodies = few.At(0);
+            VectorLanes w = new VectorLanes(bodies, W), wLost = new VectorLanes(bodies, WLost), longW = w, longWLost = wLost;
+            QuaternionLanes q = new QuaternionLanes(bodies, Q), qLost = new QuaternionLanes(bodies, QLost), longQ = q, longQLost = qLost;
+            TurnLong(bodies, ref longW, ref longWLost, ref longQ, ref longQLost);
+            TurnShort(few);
+            Masks isShort = Vector.GreaterThan(bodies[Turns], Lanes.Zero), isLong = Vector.LessThan(bodies[Turns], Lanes.Zero);
+            VectorLanes.Choose(isShort, new VectorLanes(bodies, W), VectorLanes.Choose(isLong, longW, w)).Write(bodies, W);
+            VectorLanes.Choose(isShort, new VectorLanes(bodies, WLost), VectorLanes.Choose(isLong, longWLost, wLost)).Write(bodies, WLost);
+            QuaternionLanes.Choose(isShort, new QuaternionLanes(bodies, Q), QuaternionLanes.Choose(isLong, longQ, q)).Write(bodies, Q);
+            QuaternionLanes.Choose(isShort, new QuaternionLanes(bodies, QLost), QuaternionLanes.Choose(isLong, longQLost, qLost)).Write(bodies, QLost);
+        }
+
+        [MethodImpl(Kernel.Compiled)]
+        private void TurnLong(in Group bodies, ref VectorLanes w, ref VectorLanes wLost, ref QuaternionLanes q, ref QuaternionLanes qLost)
+        {
+            Lanes w1 = w.X, w2 = w.Y, w3 = w.Z, o = bodies[S], c1 = bodies[First], c3 = bodies[Third], half = new Lanes(0.5), one = Lanes.One;
+            VectorLanes p = one / (c1 * c1 - _k1k2 * (o * o) * (w3 * w3)) * new VectorLanes(
+                w1 * c1 + _k1 * (o * c3) * (w2 * w3), w2 * c1 * c3 + _k2 * o * (w3 * w1), w3 * c3 + _k3 * (o * c1) * (w1 * w2));
+            Wrong(bodies, p, out Lanes a, out Lanes b, out Lanes lambda);
+            Lanes d1 = (p.X - w1) - p.X * a - b * (p.X * (_g3 - lambda));
+            Lanes d2 = (p.Y - w2) - p.Y * a + b * (p.Y * lambda);
+            Lanes d3 = (p.Z - w3) - p.Z * a + b * (p.Z * (_g1 + lambda));
+            RunningSum.Add(ref w, ref wLost, new VectorLanes(d1, d2, d3));
+
+            VectorLanes h = new VectorLanes(_half1 * d1, half * d2, _half3 * d3), before = new VectorLanes(_i1 * w1, w2, _i3 * w3), m = before + h;
+            Lanes cosine = (one - bodies[Versine]) * bodies[InverseSquare], r0 = cosine * VectorLanes.Dot(m, m);
+            VectorLanes r = cosine * VectorLanes.Cross(h, m) + bodies[Sine] * m, momentum = q.Rotate(before);
+            Lanes vv = VectorLanes.Dot(r, r), sign = Vector.ConditionalSelect(Vector.LessThan(r0, Lanes.Zero), new Lanes(-1), one);
+            Lanes n = sign * Vector.SquareRoot(r0 * r0 + vv), f = one / (n * (n + r0)), v = f * (n + r0);
+            SmallTurn.Add(ref q, ref qLost, q * new QuaternionLanes(-vv * f, v * r));
+            q = sign * q;
+            qLost = sign * qLost;
+            VectorLanes now = q.Rotate(new VectorLanes(_i1 * w.X, w.Y, _i3 * w.Z));
+            VectorLanes back = half / VectorLanes.Dot(now, now) * VectorLanes.Cross(now, momentum);
+            SmallTurn.Add(ref q, ref qLost, new QuaternionLanes(Lanes.Zero, back) * q);
+        }
+
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        private void Wrong(in Group bodies, in VectorLanes w, out Lanes a, out Lanes b, out Lanes lambda)
+        {
+            Lanes w11 = w.X * w.X, w33 = w.Z * w.Z, x1 = _m1 * w11, x3 = _m3 * w33, x = x1 - x3, twice = x + x, inverseEnergy = bodies[InverseEnergy];
+            a = inverseEnergy * (_i1 * w11 + _i3 * w33 + (w.Y * w.Y - bodies[Energy]));
+            b = ((x - bodies[Separation]) - twice * a) / (new Lanes(2) * (_g3 * x1 + _g1 * x3) + new Lanes(AsymmetricTop.Tiny));
+            lambda = inverseEnergy * twice;
         }
     }
 }

@@ -18,29 +18,26 @@ namespace RigidBodyDynamics
             if (!isAll)
                 return;
 
-            double turns = _isShort ? _count : -_count;
+            double turns = _isShort ? _count : -_count, first = _isShort ? _orbit.V1 : _orbit.C1, third = _isShort ? _orbit.V3 : _orbit.C3;
             row.Carry(AsymmetricLanes.Energy, ref _energy);
             row.Carry(AsymmetricLanes.Separation, ref _separation);
             row.Carry(AsymmetricLanes.PreparedFor, ref _preparedFor);
             row.Carry(AsymmetricLanes.InverseEnergy, ref _inverseEnergy);
             row.Carry(AsymmetricLanes.S, ref _orbit.S);
-            row.Carry(AsymmetricLanes.C1, ref _orbit.C1);
-            row.Carry(AsymmetricLanes.C3, ref _orbit.C3);
-            row.Carry(AsymmetricLanes.V1, ref _orbit.V1);
-            row.Carry(AsymmetricLanes.V3, ref _orbit.V3);
-            row.Carry(AsymmetricLanes.C, ref _orbit.C);
-            row.Carry(AsymmetricLanes.Z, ref _orbit.Z);
+            row.Carry(AsymmetricLanes.First, ref first);
+            row.Carry(AsymmetricLanes.Third, ref third);
+            row.Carry(AsymmetricLanes.InverseSquare, ref _orbit.InverseSquare);
+            row.Carry(AsymmetricLanes.Sine, ref _orbit.Sine);
+            row.Carry(AsymmetricLanes.SineLost, ref _orbit.SineLost);
+            row.Carry(AsymmetricLanes.Versine, ref _orbit.Versine);
             row.Carry(AsymmetricLanes.Turns, ref turns);
             _count = (long)Math.Abs(turns);
             _isShort = turns > 0;
-        }
-
-        /// <summary>Prepares without turning.</summary>
-        internal void PrepareFor(double time)
-        {
-            time *= _scale;
-            if (time != _preparedFor)
-                Prepare(time);
+            _orbit.V1 = _isShort ? first : 0;
+            _orbit.V3 = _isShort ? third : 0;
+            _orbit.C1 = _isShort ? 1 - first : first;
+            _orbit.C3 = _isShort ? 1 - third : third;
+            Derive();
         }
     }
 }

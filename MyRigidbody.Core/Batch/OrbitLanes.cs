@@ -12,7 +12,7 @@ namespace RigidBodyDynamics
     /// </summary>
     internal struct OrbitLanes
     {
-        public Lanes S, C1, C3, V1, V3, C, Z;
+        public Lanes S, C1, C3, V1, V3, InverseSquare, Sine, Versine;
 
         public Masks IsIllConditioned;
 
@@ -54,10 +54,12 @@ namespace RigidBodyDynamics
             Lanes f3 = e1 * c13 + e3 * c33 - f0 * d3 - f1 * d2 - f2 * d1;
             Lanes f4 = e1 * c14 + e3 * c34 - f0 * d4 - f1 * d3 - f2 * d2 - f3 * d1;
             Lanes f5 = e1 * c15 + e3 * c35 - f0 * d5 - f1 * d4 - f2 * d3 - f3 * d2 - f4 * d1;
-            Lanes f = h * (0.5 * f0 + (1 / 6.0 * f1 + (0.1 * f2 + (1 / 14.0 * f3 + (1 / 18.0 * f4 + 1 / 22.0 * f5)))));
-            Lanes u = momentum * f * f;
-            C = one;
-            Z = momentum * f * (one + u * (new Lanes(1 / 3.0) + u * (new Lanes(2 / 15.0) + u * (new Lanes(17 / 315.0) + u * new Lanes(62 / 2835.0)))));
+            Lanes rest = 1 / 6.0 * f1 + (0.1 * f2 + (1 / 14.0 * f3 + (1 / 18.0 * f4 + 1 / 22.0 * f5)));
+            Lanes f = h * (0.5 * f0 + rest), u = momentum * f * f;
+            Lanes bent = u * (new Lanes(OrbitStep.F3) - u * (new Lanes(OrbitStep.F5) - u * OrbitStep.F7));
+            Sine = f - f * bent;
+            Versine = u * (new Lanes(0.5) - u * (new Lanes(OrbitStep.F4) - u * (new Lanes(OrbitStep.F6) - u * OrbitStep.F8)));
+            InverseSquare = inverse;
             IsIllConditioned = Masks.Zero;
             if (doublings > 0)
                 Double(doublings, times, shape, a1, a3, alpha, beta, shape.DeltaOfQ * q, Vector.SquareRoot(momentum));
@@ -65,7 +67,7 @@ namespace RigidBodyDynamics
 
         private void Double(int most, Lanes times, TopShape shape, Lanes a1, Lanes a3, Lanes alpha, Lanes beta, Lanes delta, Lanes length)
         {
-            Lanes one = Lanes.One, tangent = Z / length, cos = one / Vector.SquareRoot(one + tangent * tangent), sin = tangent * cos;
+            Lanes one = Lanes.One, v = Versine, sin = length * Sine;
             Lanes i1A1 = shape.I1 * a1, i3A3 = shape.I3 * a3, turned = (shape.I3 - shape.I1) * a1 * a3;
             for (int i = 0; i < most; i++)
             {
@@ -88,22 +90,16 @@ namespace RigidBodyDynamics
                 V3 = Vector.ConditionalSelect(isOn, Vector.ConditionalSelect(isNear, v3, one - far3), V3);
                 S = Vector.ConditionalSelect(isOn, 2 * s * c1 * c3 * d, s);
 
-                Lanes cosine = cos * cos - sin * sin, twice = 2 * cos * sin;
-                Lanes nextCos = cosine * x + twice * y, nextSin = twice * x - cosine * y;
-                if (i % 8 == 7)
-                {
-                    Lanes norm = Vector.SquareRoot(nextCos * nextCos + nextSin * nextSin);
-                    nextCos /= norm;
-                    nextSin /= norm;
-                }
-
-                cos = Vector.ConditionalSelect(isOn, nextCos, cos);
+                Lanes w = Vector.ConditionalSelect(Vector.GreaterThan(x, Lanes.Zero), y * y / (one + x), one - x);
+                Lanes twice = 2 * sin, square = twice * sin, nextSin = twice - (twice * (v + w - v * w) + (one - square) * y);
+                Lanes nextV = square + (w - square * w) - twice * (one - v) * y, off = nextV - 0.5 * (nextV * nextV + nextSin * nextSin);
                 sin = Vector.ConditionalSelect(isOn, nextSin, sin);
+                v = Vector.ConditionalSelect(isOn, nextV - (off - nextV * off), v);
             }
 
             Masks isDoubled = Vector.GreaterThan(times, Lanes.Zero);
-            C = Vector.ConditionalSelect(isDoubled, cos, C);
-            Z = Vector.ConditionalSelect(isDoubled, length * sin, Z);
+            Sine = Vector.ConditionalSelect(isDoubled, sin / length, Sine);
+            Versine = v;
         }
     }
 }

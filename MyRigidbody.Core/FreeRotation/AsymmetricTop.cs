@@ -20,6 +20,8 @@ namespace RigidBodyDynamics
         internal const double Resting = 1e-150;
         // the square of an angle so small that 1e18 of them are nothing
         internal const double NoTurn = 1e-72;
+        // 1 − cos(ψ/2) of about a radian; by more, what is added to q would no longer bring |q| back to 1
+        internal const double LargestVersine = 0.125;
         // near the unstable axis one step over many flips loses the small components
         internal const double LongestNearUnstable = 15;
         // where so many parts are not enough no digit of the input is left to be saved
@@ -27,8 +29,15 @@ namespace RigidBodyDynamics
         // (sine of) the largest angle at which a correction may be made at the wrong end of a step
         internal const double ShortSquared = 0.25 * 0.25;
         internal const double Tiny = 1e-290;
+        // 1/√(1 − ε) − 1 = Σ Yₙ εⁿ; what is left out is below 1e-17 for a short turn
+        internal const double Y1 = 1 / 2.0, Y2 = 3 / 8.0, Y3 = 5 / 16.0, Y4 = 35 / 128.0, Y5 = 63 / 256.0, Y6 = 231 / 1024.0;
+        internal const double Y7 = 429 / 2048.0, Y8 = 6435 / 32768.0;
         // damping is taken into w before pushes over it, raised to the sixth power, overflow
         internal const double LeastScale = 1e-20;
+
+        // what is prepared for after a push or a change of the step's length; a step that comes again is prepared for once more,
+        // with the digits that repeated steps would lose
+        internal const double ForOneStep = double.PositiveInfinity;
 
         private TopShape _shape;
         private Vector3d _w, _wLost;
@@ -38,6 +47,8 @@ namespace RigidBodyDynamics
         private double _preparedFor, _inverseEnergy;
         private long _count;
         private bool _isShort;
+        // for a short turn: k over w₂², what the products of w are multiplied by, 1 − c₁ c₃, cos(ψ/2)/L²
+        private double _kOfSquare, _s1, _s2, _s3, _v13, _cosine;
 
         public Quaterniond Orientation => _shape.Axes.ToBody(_q);
 
@@ -48,9 +59,9 @@ namespace RigidBodyDynamics
         /// <summary>Near the unstable axis a long turn is many short ones.</summary>
         public bool HasClosedForm => !IsNearUnstableAxis(Math.Max(_shape.AlphaOfA3 * A3, _shape.BetaOfA1 * A1));
 
-        private double A1 => _shape.I1 * _w.X * _w.X + _shape.G1 * _w.Y * _w.Y;
+        private double A1 => _shape.I1 * (_w.X * _w.X) + _shape.G1 * (_w.Y * _w.Y);
 
-        private double A3 => _shape.I3 * _w.Z * _w.Z + _shape.G3 * _w.Y * _w.Y;
+        private double A3 => _shape.I3 * (_w.Z * _w.Z) + _shape.G3 * (_w.Y * _w.Y);
 
         public void Show(out Quaterniond orientation, out Vector3d angularVelocity)
         {
@@ -73,7 +84,8 @@ namespace RigidBodyDynamics
             _wLost = w.Lost;
             _scale = 1;
             _preparedFor = double.NaN;
-            Invariants(out _energy, out _separation);
+            _separation = _shape.Long.Invariants(w, out DoubleDouble energy, out _).High;
+            _energy = energy.High;
         }
 
         public void Kick(in Vector3d world, in Vector3d body)
@@ -88,7 +100,7 @@ namespace RigidBodyDynamics
             double e1 = (2 * _w.X + d1) * d1, e2 = (2 * _w.Y + d2) * d2, e3 = (2 * _w.Z + d3) * d3;
             _energy += s.I1 * e1 + e2 + s.I3 * e3;
             _separation += s.M1 * e1 - s.M3 * e3;
-            Change(d1, d2, d3);
+            RunningSum.Add(ref _w, ref _wLost, new Vector3d(d1, d2, d3));
             _preparedFor = double.NaN;
         }
 
@@ -99,6 +111,7 @@ namespace RigidBodyDynamics
 
             // L' = L × ω − c L is free rotation of M = L e^(ct) in the time s, s' = e^(−ct): w itself is left alone
             _scale = decay.Of(_scale);
+            _preparedFor = double.NaN;
             if (_scale < LeastScale)
                 Fold();
         }
@@ -109,8 +122,7 @@ namespace RigidBodyDynamics
             if (time != _preparedFor)
                 Prepare(time);
 
-            for (long i = 0; i < _count; i++)
-                Turn();
+            Turn();
         }
 
         public void Leap(DoubleDouble time)
@@ -134,120 +146,40 @@ namespace RigidBodyDynamics
             _wLost = w.Lost;
         }
 
-        private void Prepare(double time)
+        /// <summary>Makes the numbers of the orbit, for a time of the undamped motion.</summary>
+        internal void Prepare(double time)
         {
-            Invariants(out double energy, out double separation);
             TopShape s = _shape;
-            double a1 = A1, a3 = A3;
-            if (!(Math.Abs(_energy - energy) <= SameInvariant * energy))
-                _energy = energy;
-
-            if (!(Math.Abs(_separation - separation) <= SameInvariant * (s.G3 * a1 + s.G1 * a3)))
-                _separation = separation;
-
-            _preparedFor = time;
+            double w11 = _w.X * _w.X, w22 = _w.Y * _w.Y, w33 = _w.Z * _w.Z;
+            double a1 = s.I1 * w11 + s.G1 * w22, a3 = s.I3 * w33 + s.G3 * w22;
+            double energy = s.I1 * w11 + w22 + s.I3 * w33, separation = s.M1 * w11 - s.M3 * w33;
+            _energy = Math.Abs(_energy - energy) <= SameInvariant * energy ? _energy : energy;
+            _separation = Math.Abs(_separation - separation) <= SameInvariant * (s.G3 * a1 + s.G1 * a3) ? _separation : separation;
+            bool isKept = _preparedFor == ForOneStep;
+            _preparedFor = isKept ? time : ForOneStep;
+            _isShort = false;
             _count = _energy > Resting && _energy * time * time > NoTurn ? 1 : 0;
             if (_count == 0)
                 return;
 
-            double q = _separation;
-            double alpha = s.AlphaOfA3 * a3, beta = s.BetaOfA1 * a1, rate = Math.Max(alpha, beta);
+            double rate = Math.Max(s.AlphaOfA3 * a3, s.BetaOfA1 * a1);
             if (IsNearUnstableAxis(rate) && rate * time * time > LongestNearUnstable * LongestNearUnstable)
                 _count = (long)Math.Ceiling(Math.Min(MostParts, Math.Sqrt(rate) * Math.Abs(time) / LongestNearUnstable));
 
             _inverseEnergy = 0.5 / _energy;
-            _orbit.Set(s, a1, a3, q, time / _count);
+            Vector3dd w = new Vector3dd(_w, _wLost);
+            _orbit.Set(s, a1, a3, _separation, time / _count, w, isKept);
             while (_orbit.IsIllConditioned && _count < MostParts)
-                _orbit.Set(s, a1, a3, q, time / ++_count);
+                _orbit.Set(s, a1, a3, _separation, time / ++_count, w, isKept);
 
-            _isShort = rate * _orbit.S * _orbit.S <= ShortSquared && _orbit.C1 > 0 && _orbit.C3 > 0;
+            // the last but one is more than the square of the angle between M and M₊ anywhere on this orbit
+            _isShort = _count == 1 && rate * _orbit.S * _orbit.S <= ShortSquared && _orbit.C1 > 0 && _orbit.C3 > 0
+                && -s.DeltaOfQ * a1 * a3 * _orbit.InverseSquare * (time * time) <= ShortSquared && _orbit.Versine <= LargestVersine;
+            if (_isShort)
+                Derive();
         }
 
         private bool IsNearUnstableAxis(double rate) => Math.Abs(_shape.DeltaOfQ * _separation) < 0.01 * rate;
-
-        private void Turn()
-        {
-            TopShape s = _shape;
-            double w1 = _w.X, w2 = _w.Y, w3 = _w.Z, o = _orbit.S;
-
-            // w₊ by Jacobi's addition theorem; for ordinary steps its increment, so that small changes keep their digits
-            double d1, d2, d3, p1 = w1, p2 = w2, p3 = w3;
-            if (_isShort)
-            {
-                double k = s.K1 * s.K3 * o * o * w2 * w2, inverse = 1 / (1 - k);
-                d1 = (w1 * (k - _orbit.V1) + s.K1 * o * _orbit.C3 * w2 * w3) * inverse;
-                d2 = (w2 * (k - (_orbit.V1 + _orbit.V3 - _orbit.V1 * _orbit.V3)) + s.K2 * o * w3 * w1) * inverse;
-                d3 = (w3 * (k - _orbit.V3) + s.K3 * o * _orbit.C1 * w1 * w2) * inverse;
-            }
-            else
-            {
-                // D as a sum of positive terms: 1 − k cancels near the unstable axis
-                double inverse = 1 / (_orbit.C1 * _orbit.C1 - s.K1 * s.K2 * o * o * w3 * w3);
-                p1 = (w1 * _orbit.C1 + s.K1 * o * _orbit.C3 * w2 * w3) * inverse;
-                p2 = (w2 * _orbit.C1 * _orbit.C3 + s.K2 * o * w3 * w1) * inverse;
-                p3 = (w3 * _orbit.C3 + s.K3 * o * _orbit.C1 * w1 * w2) * inverse;
-                d1 = p1 - w1;
-                d2 = p2 - w2;
-                d3 = p3 - w3;
-            }
-
-            // back to the energy by scaling (a), to Q along its gradient at right angles to that (b); in a short step by
-            // what is wrong at its start, so that the two divisions need not wait for those above
-            double a = _inverseEnergy * (s.I1 * p1 * p1 + p2 * p2 + s.I3 * p3 * p3) - 0.5;
-            double x1 = s.M1 * p1 * p1, x3 = s.M3 * p3 * p3, x = x1 - x3, lambda = 2 * _inverseEnergy * x;
-            double b = (x - 2 * a * x - _separation) / (2 * (s.G3 * x1 + s.G1 * x3) + Tiny);
-            d1 -= p1 * (a + b * (s.G3 - lambda));
-            d2 -= p2 * (a - b * lambda);
-            d3 -= p3 * (a - b * (s.G1 + lambda));
-            Change(d1, d2, d3);
-
-            // r ~ (C |M + M₊|²/2, C (M₊ × M) + Z (M + M₊)), with M₊ × M = (M₊ − M) × M
-            double m1 = s.I1 * w1, m2 = w2, m3 = s.I3 * w3, c1 = s.I1 * d1, c2 = d2, c3 = s.I3 * d3;
-            double s1 = 2 * m1 + c1, s2 = 2 * m2 + c2, s3 = 2 * m3 + c3;
-            double r0 = 0.5 * _orbit.C * (s1 * s1 + s2 * s2 + s3 * s3);
-            double r1 = _orbit.C * (c2 * m3 - c3 * m2) + _orbit.Z * s1;
-            double r2 = _orbit.C * (c3 * m1 - c1 * m3) + _orbit.Z * s2;
-            double r3 = _orbit.C * (c1 * m2 - c2 * m1) + _orbit.Z * s3;
-            double vv = r1 * r1 + r2 * r2 + r3 * r3, n = Math.Sqrt(r0 * r0 + vv);
-            // by more than half a turn −r is nearer to 1 than r: it is taken, and the sign made up for, so that q does not jump
-            n = r0 < 0 ? -n : n;
-            double f = 1 / (n * (n + r0)), v = f * (n + r0);
-            Vector3d momentum = _isShort ? Vector3d.Zero : _q.Rotate(new Vector3d(m1, m2, m3));
-            SmallTurn.Add(ref _q, ref _qLost, _q * new Quaterniond(-vv * f, v * r1, v * r2, v * r3));
-            if (r0 < 0)
-            {
-                _q = -1 * _q;
-                _qLost = -1 * _qLost;
-            }
-
-            if (!_isShort)
-                KeepDirection(momentum);
-        }
-
-        /// <summary>
-        /// Where M₊ points almost back along M, as after a flip, the smallest rotation between them is badly known, and L
-        /// would turn by a rounding over |M + M₊|. It is turned back to where it was.
-        /// </summary>
-        private void KeepDirection(Vector3d momentum)
-        {
-            Vector3d now = _q.Rotate(new Vector3d(_shape.I1 * _w.X, _w.Y, _shape.I3 * _w.Z));
-            Vector3d back = 0.5 / now.LengthSquared * Vector3d.Cross(now, momentum);
-            SmallTurn.Add(ref _q, ref _qLost, new Quaterniond(0, back) * _q);
-        }
-
-        private void Change(double d1, double d2, double d3)
-        {
-            RunningSum.Add(ref _w.X, ref _wLost.X, d1);
-            RunningSum.Add(ref _w.Y, ref _wLost.Y, d2);
-            RunningSum.Add(ref _w.Z, ref _wLost.Z, d3);
-        }
-
-        private void Invariants(out double energy, out double separation)
-        {
-            TopShape s = _shape;
-            energy = s.I1 * _w.X * _w.X + _w.Y * _w.Y + s.I3 * _w.Z * _w.Z;
-            separation = s.M1 * _w.X * _w.X - s.M3 * _w.Z * _w.Z;
-        }
 
         private void Fold()
         {

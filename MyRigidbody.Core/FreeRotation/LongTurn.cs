@@ -43,6 +43,15 @@ namespace RigidBodyDynamics
             w = unit * inUnits;
         }
 
+        /// <summary>2T and L², and returns Q.</summary>
+        public DoubleDouble Invariants(in Vector3dd w, out DoubleDouble energy, out DoubleDouble square)
+        {
+            Vector3dd m = Vector3dd.Scale(_moments, w);
+            energy = Vector3dd.Dot(m, w);
+            square = Vector3dd.Dot(m, m);
+            return _g3 * (m.X * w.X) - _g1 * (m.Z * w.Z);
+        }
+
         private void Turn(ref Quaterniondd q, ref Vector3dd w, DoubleDouble time)
         {
             DoubleDouble a1 = _moments.X * (w.X * w.X) + _g1 * (w.Y * w.Y), a3 = _moments.Z * (w.Z * w.Z) + _g3 * (w.Y * w.Y);

@@ -44,31 +44,17 @@ namespace RigidBodyDynamics
         /// <summary>One over the moments as given, in the order of the axes.</summary>
         public Vector3d InverseMoments { get; }
 
-        /// <summary>I₁/I₂, as all below in units of I₂.</summary>
-        public double I1 { get; }
+        /// <summary>I₁/I₂ and I₃/I₂; all below in units of I₂.</summary>
+        public readonly double I1, I3;
 
-        public double I3 { get; }
-
-        public double K1 { get; }
-
-        public double K2 { get; }
-
-        public double K3 { get; }
-
-        public double G1 { get; }
-
-        public double G3 { get; }
+        /// <summary>Of Euler's equations, and of A₁ and A₃.</summary>
+        public readonly double K1, K2, K3, G1, G3;
 
         /// <summary>Q = M₁ w₁² − M₃ w₃².</summary>
-        public double M1 { get; }
+        public readonly double M1, M3;
 
-        public double M3 { get; }
-
-        public double AlphaOfA3 { get; }
-
-        public double BetaOfA1 { get; }
-
-        public double DeltaOfQ { get; }
+        /// <summary>α over A₃, β over A₁, α − β over Q.</summary>
+        public readonly double AlphaOfA3, BetaOfA1, DeltaOfQ;
 
         /// <summary>The axis to put first so that the middle moment is second.</summary>
         private static int FirstOf(Vector3d i) =>

@@ -27,9 +27,8 @@ public sealed class OrbitStepTests
             Assert.That(step.S, Is.EqualTo(sign * s).Within(bound));
             Assert.That((step.C1, step.C3), Is.EqualTo((c1, c3)).Using<(double, double)>((x, y) =>
                 Math.Abs(x.Item1 - y.Item1) < bound && Math.Abs(x.Item2 - y.Item2) < bound));
-            // C and Z are had up to a common factor
             double length = Math.Sqrt(shape.I1 * a1 + shape.I3 * a3);
-            double angle = Math.Atan2(step.Z / length, step.C), expected = Math.Atan2(sign * z / (2 * length), c);
+            double angle = Math.Atan2(step.Sine * length, 1 - step.Versine), expected = Math.Atan2(sign * z / (2 * length), c);
             double turns = (angle - expected) / Math.PI, error = Math.Abs(turns - Math.Round(turns)) * Math.PI;
             TestContext.Out.WriteLine(FormattableString.Invariant($"error {error:g2}"));
             // after 1000 s the motion itself is held against a solution, in ExactMotionTests and FreeMotionTests
