@@ -1,5 +1,4 @@
 using System.CommandLine;
-using System.Text;
 using RigidBodyDynamics.Lab.Comparison;
 using RigidBodyDynamics.Lab.Output;
 using RigidBodyDynamics.Lab.Report;
@@ -124,8 +123,8 @@ internal static class CompareCommand
     /// <summary>The trajectories of all bodies, every step.</summary>
     internal static void WriteTrajectory(Simulation simulation, string path, string to)
     {
-        using StreamWriter writer = new(to, append: false, new UTF8Encoding(false));
-        TrajectoryCsv csv = new(writer);
+        using FileStream file = new(to, FileMode.Create);
+        using TrajectoryCsv csv = new(file);
         csv.WriteHeader();
         RunCommand.MustBeFinite(simulation, path);
         csv.WriteRows(simulation);

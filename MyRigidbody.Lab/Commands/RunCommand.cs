@@ -1,6 +1,5 @@
 using System.CommandLine;
 using System.Globalization;
-using System.Text;
 using RigidBodyDynamics.Lab.Output;
 using RigidBodyDynamics.Lab.Report;
 
@@ -62,14 +61,14 @@ internal static class RunCommand
         SceneDescription scene = Overrides.Apply(read.Scene, integrator, step);
         if (output == null)
         {
-            using StreamWriter standard = new(StandardOutput.Open(), new UTF8Encoding(false));
+            using Stream standard = StandardOutput.Open();
             Breakdown.Placed(path, scene, () => Write(Bodies(), every, path, standard));
         }
         else
         {
             WriteFile("--out", output, read, temporary =>
             {
-                using StreamWriter file = new(temporary, append: false, new UTF8Encoding(false));
+                using FileStream file = new(temporary, FileMode.Create);
                 Breakdown.Placed(path, scene, () => Write(Bodies(), every, path, file));
             });
         }
@@ -101,9 +100,9 @@ internal static class RunCommand
         files.Keep();
     }
 
-    private static void Write(Simulation simulation, long every, string path, TextWriter writer)
+    private static void Write(Simulation simulation, long every, string path, Stream stream)
     {
-        TrajectoryCsv csv = new(writer);
+        using TrajectoryCsv csv = new(stream);
         csv.WriteHeader();
         long count = simulation.Scene.Steps.Count;
         if (every > 0)
@@ -133,7 +132,7 @@ internal static class RunCommand
 
                 if (Environment.TickCount64 - flushed > MillisecondsBetweenFlushes)
                 {
-                    writer.Flush();
+                    csv.Flush();
                     flushed = Environment.TickCount64;
                 }
             }

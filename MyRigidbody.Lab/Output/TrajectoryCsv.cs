@@ -1,56 +1,125 @@
+using System.Buffers;
 using System.Globalization;
+using System.Text;
 
 namespace RigidBodyDynamics.Lab.Output;
 
 /// <summary>The trajectory as CSV: a row a body and step, numbers that read back to the same bits.</summary>
-internal sealed class TrajectoryCsv(TextWriter writer)
+/// <remarks>Digits cost more than the motion, so rows are collected, and pieces of them put into words on all processors.</remarks>
+internal sealed class TrajectoryCsv(Stream stream) : IDisposable
 {
-    private const string Header =
-        "body,step,t,px,py,pz,qw,qx,qy,qz,vx,vy,vz,wx,wy,wz,Lx,Ly,Lz,kineticEnergy,asleep";
+    private const int RowsOfPiece = 64, Pieces = 16, LongestNumber = 32;
+
+    private readonly Dictionary<string, byte[]> _names = [];
+    private readonly Row[] _rows = new Row[Pieces * RowsOfPiece];
+    private readonly ArrayBufferWriter<byte>[] _pieces = [.. Enumerable.Range(0, Pieces).Select(_ => new ArrayBufferWriter<byte>())];
+    private int _count;
 
     /// <summary>The first line.</summary>
-    public void WriteHeader()
-    {
-        writer.Write(Header);
-        writer.Write('\n');
-    }
+    public void WriteHeader() => stream.Write("body,step,t,px,py,pz,qw,qx,qy,qz,vx,vy,vz,wx,wy,wz,Lx,Ly,Lz,kineticEnergy,asleep\n"u8);
 
     /// <summary>A row for every body, as it is now.</summary>
     public void WriteRows(Simulation simulation)
     {
         foreach (Body body in simulation.Bodies)
         {
-            WriteRow(ManyBodies.NameOf(body), simulation.StepsDone, simulation.Time, body.State, body.Mass, body.IsAsleep);
+            if (_count == _rows.Length)
+            {
+                WriteCollected();
+            }
+
+            _rows[_count++] = new Row(body, CellOf(body), simulation.StepsDone, simulation.Time, body.State, body.IsAsleep);
         }
     }
 
-    /// <summary>A row.</summary>
-    public void WriteRow(string body, long step, double time, in BodyState state, MassProperties mass, bool isAsleep)
+    /// <summary>Writes all rows there are so far.</summary>
+    public void Flush()
     {
-        writer.Write(Csv.Cell(body));
-        writer.Write(',');
-        writer.Write(step.ToString(CultureInfo.InvariantCulture));
-        Write(time);
-        Write(state.Position);
-        Write(state.Orientation.W);
-        Write(state.Orientation.Vector);
-        Write(state.Velocity);
-        Write(state.AngularVelocity);
-        Write(Conserved.AngularMomentum(state, mass));
-        Write(Conserved.KineticEnergy(state, mass));
-        writer.Write(isAsleep ? ",1\n" : ",0\n");
+        WriteCollected();
+        stream.Flush();
     }
 
-    private void Write(Vector3d vector)
+    /// <summary>Writes all rows there are so far.</summary>
+    public void Dispose() => WriteCollected();
+
+    /// <summary>Those of many bodies, each with a number, are not worth being kept.</summary>
+    private byte[]? CellOf(Body body)
     {
-        Write(vector.X);
-        Write(vector.Y);
-        Write(vector.Z);
+        if (body.Tag != null)
+        {
+            return null;
+        }
+
+        if (!_names.TryGetValue(body.Name, out byte[]? cell))
+        {
+            _names[body.Name] = cell = Cell(body);
+        }
+
+        return cell;
     }
 
-    private void Write(double number)
+    private static byte[] Cell(Body body) => Encoding.UTF8.GetBytes(Csv.Cell(ManyBodies.NameOf(body)));
+
+    private void WriteCollected()
     {
-        writer.Write(',');
-        writer.Write(number.ToString("R", CultureInfo.InvariantCulture));
+        int count = _count, pieces = (count + RowsOfPiece - 1) / RowsOfPiece;
+        _count = 0;
+        if (pieces < 2)
+        {
+            Format(0, count);
+        }
+        else
+        {
+            Parallel.For(0, pieces, piece => Format(piece, count));
+        }
+
+        foreach (ArrayBufferWriter<byte> piece in _pieces)
+        {
+            stream.Write(piece.WrittenSpan);
+            piece.ResetWrittenCount();
+        }
     }
+
+    private void Format(int piece, int count)
+    {
+        for (int i = piece * RowsOfPiece; i < Math.Min(count, (piece + 1) * RowsOfPiece); i++)
+        {
+            Write(_pieces[piece], _rows[i]);
+        }
+    }
+
+    private static void Write(ArrayBufferWriter<byte> to, in Row row)
+    {
+        MassProperties mass = row.Body.Mass;
+        BodyState state = row.State;
+        to.Write(row.Cell ?? Cell(row.Body));
+        Write(to, row.Step);
+        Write(to, row.Time);
+        Write(to, state.Position);
+        Write(to, state.Orientation.W);
+        Write(to, state.Orientation.Vector);
+        Write(to, state.Velocity);
+        Write(to, state.AngularVelocity);
+        Write(to, Conserved.AngularMomentum(state, mass));
+        Write(to, Conserved.KineticEnergy(state, mass));
+        to.Write(row.IsAsleep ? ",1\n"u8 : ",0\n"u8);
+    }
+
+    private static void Write(ArrayBufferWriter<byte> to, Vector3d vector)
+    {
+        Write(to, vector.X);
+        Write(to, vector.Y);
+        Write(to, vector.Z);
+    }
+
+    private static void Write<T>(ArrayBufferWriter<byte> to, T number)
+        where T : struct, IUtf8SpanFormattable
+    {
+        Span<byte> free = to.GetSpan(LongestNumber);
+        free[0] = (byte)',';
+        _ = number.TryFormat(free[1..], out int length, default, CultureInfo.InvariantCulture);
+        to.Advance(length + 1);
+    }
+
+    private readonly record struct Row(Body Body, byte[]? Cell, long Step, double Time, BodyState State, bool IsAsleep);
 }

@@ -1,5 +1,6 @@
 using System.Buffers;
 using System.Globalization;
+using System.Text;
 using RigidBodyDynamics.Lab;
 using RigidBodyDynamics.Lab.Commands;
 using RigidBodyDynamics.Lab.Output;
@@ -122,8 +123,8 @@ internal sealed class Reading(string folder)
     private Outcome Simulate(SceneFile file)
     {
         SceneDescription scene = new(file.Scene.Name, file.Scene.About, file.Scene.Steps, [.. file.Scene.Bodies.Take(MostBodies)]);
-        using StringWriter table = new();
-        TrajectoryCsv csv = new(table);
+        using MemoryStream table = new();
+        using TrajectoryCsv csv = new(table);
         try
         {
             Simulation bodies = ManyBodies.Simulate(scene, file.Crowds.ToDictionary(crowd => crowd.Key, crowd => crowd.Value with { Count = Math.Min(MostOfOneKind, crowd.Value.Count) }));
@@ -135,7 +136,8 @@ internal sealed class Reading(string folder)
             }
 
             csv.WriteRows(bodies);
-            Look(table.ToString(), [.. bodies.Bodies.Select(ManyBodies.NameOf)]);
+            csv.Flush();
+            Look(Encoding.UTF8.GetString(table.ToArray()), [.. bodies.Bodies.Select(ManyBodies.NameOf)]);
             return Outcome.Ran;
         }
         catch (ArgumentException)
