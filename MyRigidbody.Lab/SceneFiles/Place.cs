@@ -116,8 +116,9 @@ internal readonly record struct Place(string File, Fields? Above, string Name, J
     public void Check(BodyDescription body, TimeSteps steps, IReadOnlyDictionary<string, string>? called = null) => Make(() =>
     {
         body.Check();
-        // what its rule refuses, and a mass that does not last; a simulation with all its effects would be much larger than the file
-        return new Simulation(steps, OfMass(body));
+        // what a rule refuses that rounds to single precision, and a mass that does not last; with all its effects, and for all rules,
+        // a simulation would be much larger than the file
+        return body.Rule == Rules.UnityRigidbody || body.Effects.Any(effect => effect.Motion is MassRate) ? new Simulation(steps, OfMass(body)) : null;
     }, called);
 
     /// <summary>The same body under nothing but what changes its mass, each in its place among the effects.</summary>
