@@ -62,11 +62,7 @@ export function followLink() {
   const { state } = window.lab, told = document.getElementById('said').textContent;
   damaged.push(...['scene', 'rule'].filter(name => opened[name] !== undefined && opened[name] !== state[name]));
   const why = damaged.length > 0 ? [report.word('web.link.damaged', damaged.join(', ')), told].filter(Boolean).join(' ') : told;
-  if (!report.data?.times) {
-    // a scene of one's own that is none: the lab's, and why
-    window.lab.addEventListener('sceneText', () => window.lab.say(why), { once: true });
-    window.lab.set({ scene: 'lab', sceneText: undefined });
-  } else if (why) {
+  if (why) {
     window.lab.say(why);
   }
 
@@ -144,9 +140,9 @@ function playedScene() {
 const ownScript = script => script?.text === window.lab.write?.starter && !script?.beside?.length ? undefined : script;
 
 // a scene of the gallery travels by its name
-async function ownText(scene, text) {
-  const answer = text && await fetch(`scenes/${encodeURIComponent(scene)}.json`).catch(() => undefined);
-  return answer?.ok && await answer.text() === text ? undefined : text;
+async function ownText({ scene, sceneText }) {
+  const isOwn = window.lab.played().isOwn || await (await fetch(`scenes/${scene}.json`)).text() !== sceneText;
+  return isOwn ? sceneText : undefined;
 }
 
 /** The button that copies it. */
@@ -159,7 +155,7 @@ export function startLink() {
   document.querySelector('.switches').prepend(button);
   button.addEventListener('click', async () => {
     const { state } = window.lab, { link, said } = await makeLink(
-      { ...state, tab: tabInView(), sceneText: await ownText(state.scene, state.sceneText), script: ownScript(state.script) }, playedScene(), location.href.split('#')[0]);
+      { ...state, tab: tabInView(), sceneText: await ownText(state), script: ownScript(state.script) }, playedScene(), location.href.split('#')[0]);
     if (link) {
       const wasCopied = await navigator.clipboard?.writeText(link).then(() => true, () => false);
       if (!wasCopied) {

@@ -184,7 +184,7 @@ export async function startPlay() {
   // the scene as it is now, for links and Cost: with the keys as they were held, or as it was opened if none was
   lab.played = () => {
     const isPlayed = Boolean(played.live?.felt.length);
-    return { name: played.name, isPlayed, text: isPlayed ? Live.Played() : Live.Chosen(), meshes: meshes[played.name] ?? [] };
+    return { name: played.name, isOwn: !gallery.includes(played.name), isPlayed, text: isPlayed ? Live.Played() : Live.Chosen(), meshes: meshes[played.name] ?? [] };
   };
   report.setPlaying(!matchMedia('(prefers-reduced-motion: reduce)').matches);
 }

@@ -48,6 +48,19 @@ internal sealed class Browser : IDisposable
     /// <summary>Opens a page from the disk and waits until it is drawn.</summary>
     public void Open(string path, string hash = "") => OpenAddress(new Uri(path).AbsoluteUri + hash);
 
+    /// <summary>Opens a page from a server and waits until an expression of JavaScript is true.</summary>
+    public void Visit(string address, string ready, double? seconds = null)
+    {
+        // another part of an address that is open loads nothing
+        _driver.Navigate().GoToUrl("about:blank");
+        _driver.Navigate().GoToUrl(address);
+        Assert.That(Becomes(ready, seconds), NUnit.Framework.Is.True, $"{address} is not ready: " + string.Join("; ", Complaints()));
+    }
+
+    /// <summary>Files that the page saves go into a folder.</summary>
+    public void SaveTo(string folder) => _driver.ExecuteCdpCommand(
+        "Browser.setDownloadBehavior", new Dictionary<string, object?> { ["behavior"] = "allow", ["downloadPath"] = folder });
+
     /// <summary>Loads the page once more, by the address it has given itself.</summary>
     public void Reload() => OpenAddress("about:blank", _driver.Url);
 
@@ -59,9 +72,9 @@ internal sealed class Browser : IDisposable
     public void Do(string statement) => ((IJavaScriptExecutor)_driver).ExecuteScript(statement);
 
     /// <summary>Waits until an expression of JavaScript is true.</summary>
-    public bool Becomes(string expression)
+    public bool Becomes(string expression, double? seconds = null)
     {
-        DateTime until = DateTime.UtcNow + Patience;
+        DateTime until = DateTime.UtcNow + (seconds is double given ? TimeSpan.FromSeconds(given) : Patience);
         while (!Get<bool>($"Boolean({expression})"))
         {
             if (DateTime.UtcNow > until)
@@ -127,6 +140,19 @@ internal sealed class Browser : IDisposable
                 "Page.captureScreenshot", new Dictionary<string, object?> { ["captureBeyondViewport"] = isWhole })!;
             File.WriteAllBytes(Path.Combine(folder, name + ending), Convert.FromBase64String((string)picture["data"]));
         }
+    }
+
+    /// <summary>Controls that a screen reader has no name for, as their roles.</summary>
+    public string[] Unnamed()
+    {
+        string[] roles = ["button", "checkbox", "combobox", "slider", "spinbutton", "textbox", "link", "radio", "tab", "image", "img", "progressbar", "DisclosureTriangle"];
+        object[] nodes = (object[])((Dictionary<string, object>)_driver.ExecuteCdpCommand("Accessibility.getFullAXTree", [])!)["nodes"];
+        return [.. nodes.Cast<Dictionary<string, object>>()
+            .Where(node => !(bool)node["ignored"] && roles.Contains(Value("role")(node)) && string.IsNullOrWhiteSpace(Value("name")(node)))
+            .Select(node => Value("role")(node))];
+
+        static Func<Dictionary<string, object>, string> Value(string name) => node =>
+            node.TryGetValue(name, out object? found) && found is Dictionary<string, object> value && value.TryGetValue("value", out object? text) ? text as string ?? string.Empty : string.Empty;
     }
 
     /// <summary>Messages of the console that are not mere notes.</summary>

@@ -10,7 +10,7 @@ namespace RigidBodyDynamics.Web.Play;
 internal static partial class Costs
 {
     // of the time that it may take; a truth that is not found by then is given up after its last refinement
-    private const double ForTruth = 0.25, MostForTruth = 2;
+    private const double ForTruth = 0.25, MostForTruth = 6;
 
     /// <summary>What the page shows: the diagram's trials, the rows of the table, where the truth comes from and how fine the clock is; or a line, why not.</summary>
     /// <param name="file">Name of the scene's file.</param>
