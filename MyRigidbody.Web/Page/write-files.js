@@ -41,7 +41,7 @@ export function createFiles(section, { say, ask, tell, open, submission }) {
         return refuse(say('write.unread'));
       }
       const answer = await ask({ do: 'unpack', name: file.name, bytes });
-      if (answer.finding) return refuse(inWords(answer.finding));
+      if (!answer.files) return refuse(answer.finding ? inWords(answer.finding) : say('write.unread'));
       found.push(...answer.files);
     }
     const name = files.length === 1 ? files[0].name : '';
@@ -77,8 +77,8 @@ export function createFiles(section, { say, ask, tell, open, submission }) {
     if (event.submitter?.value !== 'yes') return;
     event.preventDefault();
     const answer = await ask({ do: 'package', files: submission(), name: called() });
-    if (answer.finding) {
-      refusal.textContent = inWords(answer.finding);
+    if (!answer.bytes) {
+      refusal.textContent = answer.finding ? inWords(answer.finding) : say('write.pack.not');
       return id.focus();
     }
     save(`${called()}.unitypackage`, answer.bytes);

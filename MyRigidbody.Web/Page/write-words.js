@@ -65,6 +65,7 @@ export const words = {
   'write.pack.yes': { en: 'Download', zh: '下载' },
   'write.pack.private': { en: 'Number and name go into the name of the file only.', zh: '学号和姓名只用于文件名。' },
   'write.pack.done': { en: '{0} is downloaded.', zh: '已下载 {0}。' },
+  'write.pack.not': { en: 'The package could not be made.', zh: '打包失败。' },
   'write.pack.lamps': { en: 'Not all five lamps are right yet; the package can be made all the same.', zh: '五盏灯还没有全部正确，也可以先打包。' },
 };
 
