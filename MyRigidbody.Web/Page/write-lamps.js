@@ -28,7 +28,9 @@ export function createLamps(section, { say, goTo }) {
   }
 
   const waiting = step => element('li', {}, element('button', { type: 'button', className: 'step unknown', disabled: true },
-    element('b', { ariaHidden: 'true' }, signs.unknown), element('span', { className: 'of' }, say(`write.step.${step}`)), element('span', { className: 'result' }, say('write.waiting'))));
+    element('b', { ariaHidden: 'true' }, signs.unknown), element('span', { className: 'of' }, say(`write.step.${step}`)), element('span', { className: 'result' }, say('write.waiting')),
+    // as high as with its formula
+    element('small', {}, '\u00a0')));
 
   function note(one, at, all) {
     const head = element('p', { className: 'head' }, element('strong', {}, inWords(one.step)), ` ${inWords(one.place)}`);
