@@ -16,13 +16,15 @@ internal static class PageWriter
     public static void Write(Page page, string path) => File.WriteAllText(path, Html(page));
 
     /// <summary>The page as HTML.</summary>
-    public static string Html(Page page)
+    /// <param name="page">What is on it.</param>
+    /// <param name="plotting">The library that draws curves; the one that comes with the program if absent.</param>
+    public static string Html(Page page, string? plotting = null)
     {
         Replay? replay = page.Sections.OfType<Replay>().FirstOrDefault();
         return Template.Render(
             ("page", page),
             ("style", PageTemplate.Resource("report.css")),
-            ("plotting", Library()),
+            ("plotting", plotting ?? Library()),
             ("scripts", Scripts.Select(PageTemplate.Resource).ToArray()),
             ("data", replay is null ? "null" : MotionJson.Of(replay.Motion)),
             ("cost", page.Sections.OfType<CostDiagrams>().FirstOrDefault() is CostDiagrams cost ? CostJson.Of(cost) : string.Empty));

@@ -5,6 +5,8 @@ const milliseconds = 12;
 const perPose = 7;
 
 export class LiveMotion {
+  // another motion is made now: answers that still come are for nobody
+  isGone = false;
   // which keys were felt, in which step, and when they went down or up: for tests
   felt = [];
   poses = [];
@@ -38,7 +40,7 @@ export class LiveMotion {
   // makes moments until one is at a time or later; false where there will be no more
   advance(to) {
     const until = performance.now() + milliseconds;
-    while (this.end < to && !this.isOver && !this.#waits && performance.now() < until) {
+    while (this.end < to && !this.isOver && !this.isGone && !this.#waits && performance.now() < until) {
       const due = Math.ceil((to - this.end) / this.#opened.step - 1e-9);
       this.#step(Math.min(this.#opened.mostRows, Math.max(1, due)));
     }
@@ -67,8 +69,15 @@ export class LiveMotion {
     this.#waits = true;
     const answer = await this.#script.step(held, count);
     this.#waits = false;
+    if (this.isGone) {
+      return;
+    }
+
     if (answer.finding) {
       this.stopped(answer.finding[report.language()]);
+    } else if (answer.poses.length === 0) {
+      // another script has been judged in its place: it begins anew
+      report.tell('script lost');
     } else if (!this.isOver) {
       this.#program.numbers().set(answer.poses, this.#program.Live.Address() / 8);
       this.poses.push(...answer.poses);

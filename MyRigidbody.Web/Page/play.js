@@ -39,8 +39,15 @@ async function textOf(name) {
 let turns = 0;
 async function open(name = played.name, text = played.text) {
   const turn = ++turns, ownKeys = !byId('file-keys').checked;
-  const read = withScript => JSON.parse(played.program.Live.Open(
-    name + '.json', text, byId('rule').value, byId('unity').checked, ownKeys, withScript));
+  const read = withScript => {
+    const opened = JSON.parse(played.program.Live.Open(
+      name + '.json', text, byId('rule').value, byId('unity').checked, ownKeys, withScript));
+    if (played.live) {
+      played.live.isGone = true;
+    }
+
+    return opened;
+  };
   let said = '';
   try {
     let script = lab.state.scriptInPlay && lab.state.script ? await scriptOf() : null;
@@ -134,6 +141,7 @@ function listen() {
   Object.assign(report.keys, { ',': () => report.stepBy(-1), '.': () => report.stepBy(1) });
   // a key is felt now, whatever part of the past is looked at
   keys.on(() => played.live && report.setTime(report.motion.end));
+  report.on('script lost', again);
   report.on('own keys', () => byId('file-keys').checked = false);
   report.on('language', () => {
     showRules();

@@ -1,4 +1,5 @@
 using System.Runtime.InteropServices;
+using RigidBodyDynamics.Lab.Report;
 
 namespace RigidBodyDynamics.Web.Play;
 

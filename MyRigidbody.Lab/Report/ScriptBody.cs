@@ -1,4 +1,4 @@
-namespace RigidBodyDynamics.Web.Play;
+namespace RigidBodyDynamics.Lab.Report;
 
 /// <summary>The object that a student's script moves: its poses come from outside, and its velocities are their differences.</summary>
 /// <param name="mass">What energy and momentum are computed with.</param>
