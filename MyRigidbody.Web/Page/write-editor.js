@@ -13,6 +13,8 @@ import { wrapping } from './write-wrap.js';
 // CodeMirror with C#, in a shadow root: there its style sheet is a constructed one, which the page's policy allows.
 export function createEditor(host, text, { say, changed }) {
   const words = new Compartment();
+  // from outside it looks as if no control had the focus: the stage would take blanks and signs for its keys
+  host.addEventListener('keydown', event => event.stopPropagation());
   let view = null, problems = [], summary = '';
 
   view = new EditorView({
