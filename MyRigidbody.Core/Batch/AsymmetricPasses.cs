@@ -77,7 +77,9 @@ namespace RigidBodyDynamics
             VectorLanes w = new VectorLanes(bodies, W), wLost = new VectorLanes(bodies, WLost), longW = w, longWLost = wLost;
             QuaternionLanes q = new QuaternionLanes(bodies, Q), qLost = new QuaternionLanes(bodies, QLost), longQ = q, longQLost = qLost;
             TurnLong(bodies, ref longW, ref longWLost, ref longQ, ref longQLost);
-            TurnShort(few);
+            if (Vector.GreaterThanAny(bodies[Turns], Lanes.Zero))
+                TurnShort(few);
+
             Masks isShort = Vector.GreaterThan(bodies[Turns], Lanes.Zero), isLong = Vector.LessThan(bodies[Turns], Lanes.Zero);
             VectorLanes.Choose(isShort, new VectorLanes(bodies, W), VectorLanes.Choose(isLong, longW, w)).Write(bodies, W);
             VectorLanes.Choose(isShort, new VectorLanes(bodies, WLost), VectorLanes.Choose(isLong, longWLost, wLost)).Write(bodies, WLost);
