@@ -17,7 +17,6 @@ export default {
   'play.asInFile': { en: 'as in the scene', zh: '按场景' },
   'play.unity': { en: 'Unity’s body', zh: 'Unity 的刚体' },
   'play.fileKeys': { en: 'Keys of the scene', zh: '场景中的按键' },
-  'play.script': { en: 'Your script', zh: '你的脚本' },
   'play.open': { en: 'Open a scene file…', zh: '打开场景文件…' },
   'play.save': { en: 'Save what was played as', zh: '保存为' },
   'play.save.scene': { en: 'scene', zh: '场景' },
