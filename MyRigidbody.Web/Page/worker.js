@@ -10,9 +10,13 @@ const files = ({ files }) => {
 
 const doing = {
   ready: () => ({}),
-  errors: (scripts, request) => ({ errors: JSON.parse(scripts.Errors(...files(request))) }),
-  judge: (scripts, request) => ({ ...JSON.parse(scripts.Judge(...files(request), request.lang ?? 'en')), motion: JSON.parse(scripts.Motion() ?? 'null') }),
-  ended: (scripts, request) => ({ ...JSON.parse(scripts.Ended(...files(request), request.lang ?? 'en', request.code)), motion: null }),
+  errors: ({ Scripts }, request) => ({ errors: JSON.parse(Scripts.Errors(...files(request))) }),
+  judge: ({ Scripts }, request) => ({ ...JSON.parse(Scripts.Judge(...files(request), request.lang ?? 'en')), motion: JSON.parse(Scripts.Motion() ?? 'null') }),
+  report: ({ PlayedReport }, { file, text, beside = [], script, plotting }) => {
+    beside.forEach(one => PlayedReport.Put(one.name, new TextEncoder().encode(one.text)));
+    return { html: PlayedReport.Html(file, text, script ? [script.names.en, script.names.zh] : [], [...script?.poses ?? []], plotting) };
+  },
+  ended: ({ Scripts }, request) => ({ ...JSON.parse(Scripts.Ended(...files(request), request.lang ?? 'en', request.code)), motion: null }),
 };
 
 // the page counts the time that a script takes from the last of these
@@ -33,7 +37,7 @@ function takeAway(scope) {
 
 const started = start('write', 'MyRigidbody.Web.Write').then(exports => {
   takeAway(globalThis);
-  return exports.RigidBodyDynamics.Web.Write.Scripts;
+  return exports.RigidBodyDynamics.Web.Write;
 });
 
 onmessage = async ({ data: request }) => {
