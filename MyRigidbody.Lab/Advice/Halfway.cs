@@ -9,7 +9,7 @@ internal static class Halfway
     /// <summary>An error between steps may be larger by so much than at the places that are looked at.</summary>
     public const double Between = 1.05;
 
-    // where there are few steps each is looked into; of many, some, and as many as may be run up to
+    // where there are few steps each is looked into; of many, some, and of very many fewer, since the run itself takes long
     private const int FewSteps = 32, PlacesPerStep = 8, LeastPlaces = 4;
     private const long MostSteps = 100_000;
 
