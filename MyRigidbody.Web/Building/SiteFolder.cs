@@ -1,5 +1,6 @@
 using System.Security.Cryptography;
 using System.Text;
+using System.Text.Encodings.Web;
 using System.Text.Json;
 
 namespace RigidBodyDynamics.Web.Building;
@@ -10,6 +11,9 @@ namespace RigidBodyDynamics.Web.Building;
 internal sealed class SiteFolder(Project project, string folder)
 {
     private const string ServiceWorker = "service-worker.js";
+
+    // the plus of base64 as it is
+    private static readonly JsonSerializerOptions Readable = new() { Encoder = JavaScriptEncoder.UnsafeRelaxedJsonEscaping };
 
     private readonly HashSet<string> _belongs = [];
 
@@ -98,7 +102,7 @@ internal sealed class SiteFolder(Project project, string folder)
     {
         Dictionary<string, string> files = names.Order(StringComparer.Ordinal).ToDictionary(
             name => name == "index.html" ? "./" : name, name => "sha256-" + Convert.ToBase64String(SHA256.HashData(File.ReadAllBytes(Target(name)))));
-        string list = JsonSerializer.Serialize(files), script = File.ReadAllText(Path.Combine(project.Bundle, ServiceWorker));
+        string list = JsonSerializer.Serialize(files, Readable), script = File.ReadAllText(Path.Combine(project.Bundle, ServiceWorker));
         string version = Convert.ToHexString(SHA256.HashData(Encoding.UTF8.GetBytes(list + script)))[..16];
         WriteText(ServiceWorker, $"self.site={{version:\"{version}\",files:{list}}};\n{script}");
     }

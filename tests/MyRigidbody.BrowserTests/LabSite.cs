@@ -26,10 +26,11 @@ internal sealed class LabSite : IDisposable
     private HttpListener _listener = null!;
 
     /// <summary>Serves it at once; the test is skipped where it has not been built.</summary>
-    public LabSite()
+    /// <param name="folder">A folder of the test's own, in place of the built one.</param>
+    public LabSite(string? folder = null)
     {
-        _folder = Root.File("artifacts/site");
-        if (!File.Exists(Path.Combine(_folder, "index.html")))
+        _folder = folder ?? Root.File("artifacts/site");
+        if (folder == null && !File.Exists(Path.Combine(_folder, "index.html")))
         {
             Assert.Ignore("no artifacts/site here (dotnet run -c Release --project MyRigidbody.Web -- --out artifacts/site)");
         }
@@ -85,7 +86,7 @@ internal sealed class LabSite : IDisposable
     private void Answer(HttpListenerContext asked)
     {
         string path = Uri.UnescapeDataString(asked.Request.Url!.AbsolutePath).TrimStart('/');
-        string file = Path.Combine(_folder, path.Length == 0 ? "index.html" : path);
+        string file = Path.Combine(_folder, path.Length == 0 || path.EndsWith('/') ? path + "index.html" : path);
         try
         {
             using HttpListenerResponse answer = asked.Response;

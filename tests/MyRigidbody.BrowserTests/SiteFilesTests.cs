@@ -14,7 +14,7 @@ public sealed partial class SiteFilesTests
         IEnumerable<string> needed = SiteFiles.Names.Where(name => !name.StartsWith("write/", StringComparison.Ordinal) && name is not ("licences.txt" or "service-worker.js" or "plotly.min.js"));
         long bytes = needed.Sum(name => new FileInfo(SiteFiles.InFolder(name + (File.Exists(SiteFiles.InFolder(name + ".gz")) ? ".gz" : string.Empty))).Length);
 
-        Assert.That(bytes, Is.LessThan(6_000_000));
+        Assert.That(bytes, Is.LessThan(6_000_000)); // measured 2.49 million, the editor among them
     }
 
     [Test]
