@@ -15,17 +15,23 @@ namespace RigidBodyDynamics.Judging
             IReadOnlyList<Observation> frames = Observation.Of(recording);
             // which time step a script means is seen in a part of the frames; what it does with it is then looked for in all
             Motion part = new Motion(frames.Where(o => o.IsVaried || o.Index % 10 == 0).ToArray());
-            Explanation best = null;
-            foreach (TimeStep step in TimeStep.Candidates(Slopes(frames)))
+            Explanation[] explanations = TimeStep.Candidates(Slopes(frames)).Select(step => new Explanation(part, step)).ToArray();
+            return new Conclusion(frames, new Explanation(new Motion(frames), Best(explanations).Step)).Verdict();
+        }
+
+        /// <summary>The first that leaves nothing off; else the first of those that leave the least.</summary>
+        private static Explanation Best(IReadOnlyCollection<Explanation> explanations)
+        {
+            Explanation best = explanations.FirstOrDefault(explanation => explanation.LeastCost == 0 && explanation.Cost == 0);
+            if (best != null)
+                return best;
+            foreach (Explanation explanation in explanations)
             {
-                Explanation explanation = new Explanation(part, step);
-                if (best == null || explanation.Cost < best.Cost)
+                if (best == null || explanation.LeastCost < best.Cost && explanation.Cost < best.Cost)
                     best = explanation;
-                if (best.Cost == 0)
-                    break;
             }
 
-            return new Conclusion(frames, new Explanation(new Motion(frames), best.Step)).Verdict();
+            return best;
         }
 
         /// <summary>What stands in the place of Δt in each step at 50 frames a second, as the median frame has it.</summary>

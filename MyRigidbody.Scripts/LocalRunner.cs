@@ -2,6 +2,7 @@ using RigidBodyDynamics.Judging;
 using RigidBodyDynamics.StudentScripts.Children;
 using RigidBodyDynamics.StudentScripts.Comments;
 using RigidBodyDynamics.StudentScripts.Compilation;
+using RigidBodyDynamics.StudentScripts.Metering;
 using RigidBodyDynamics.StudentScripts.Running;
 
 namespace RigidBodyDynamics.StudentScripts;
@@ -12,7 +13,12 @@ namespace RigidBodyDynamics.StudentScripts;
 /// </summary>
 internal sealed class LocalRunner
 {
+    // ms; a process of its own counts instead, so that its verdict is the same on any machine
+    private const long MostOfMessage = 1000, MostOfScript = 20_000;
+
     private readonly Coverage _coverage = new(null);
+    static LocalRunner() => Meter.MostTime = (MostOfMessage, MostOfScript);
+
     /// <summary>Called when a script begins to run, and when it has.</summary>
     public required Action<bool> IsRunning { get; init; }
 
@@ -48,11 +54,34 @@ internal sealed class LocalRunner
         if (look.Refusals.Count > 0)
             return Reports.Refused(look, files, look.Refusals);
 
+        // there is one world
+        Playing = null;
         IsRunning(true);
         RunOutcome outcome = Execution.Run(compiled, AtWork);
         IsRunning(false);
         return outcome.Recording is { } recording ? Reports.Judged(look, files, recording) : Reports.Refused(look, files, [outcome.Stopped!]);
     }
+
+    /// <summary>Puts a script on an object, to be played; why it cannot be, or null.</summary>
+    /// <param name="files">Its source files.</param>
+    /// <param name="edges">Of the object, a box; its mesh is the unit cube's.</param>
+    /// <param name="pose">Where it is.</param>
+    /// <param name="delta">Length of every frame, s.</param>
+    public Finding? Play(IReadOnlyList<ScriptFile> files, Vector edges, Pose pose, double delta)
+    {
+        Playing?.Dispose();
+        Playing = null;
+        if (Compile(files) is not { } compiled)
+            return _noScript;
+        if (compiled.Refusals.Count > 0)
+            return compiled.Refusals[0];
+
+        Playing = new LiveScript(compiled, new Setting(pose, edges, Settings.Cube.Vertices), delta);
+        return Playing.Stopped;
+    }
+
+    /// <summary>The script that is played; null before one is, and once another script has been judged.</summary>
+    public LiveScript? Playing { get; private set; }
 
     // what is asked after one text is asked of the same compilation
     private void Read(IReadOnlyList<ScriptFile> files)

@@ -12,24 +12,14 @@ namespace UnityEngine
 
         public static Matrix4x4 Inverse(Matrix4x4 matrix)
         {
-            double[,] left = Doubles(matrix), right = Doubles(Matrix4x4.identity);
-            if (Eliminate(left, right) == 0)
-                return Matrix4x4.zero;
-
-            Matrix4x4 inverse = default(Matrix4x4);
-            for (int row = 0; row < Size; row++)
-            {
-                for (int column = 0; column < Size; column++)
-                    inverse[row, column] = (float)right[row, column];
-            }
-
-            return inverse;
+            double[] left = Rows(matrix), right = { 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1 };
+            return Eliminate(left, right) == 0 ? Matrix4x4.zero : new Matrix4x4(Column(right, 0), Column(right, 1), Column(right, 2), Column(right, 3));
         }
 
-        public static double Determinant(Matrix4x4 matrix) => Eliminate(Doubles(matrix), new double[Size, Size]);
+        public static double Determinant(Matrix4x4 matrix) => Eliminate(Rows(matrix), new double[Size * Size]);
 
-        // left becomes the identity, right the inverse; the determinant, at 0 of which it stops
-        private static double Eliminate(double[,] left, double[,] right)
+        // row by row; left becomes the identity, right the inverse; the determinant, at 0 of which it stops
+        private static double Eliminate(double[] left, double[] right)
         {
             double determinant = 1, least = Rounding * Largest(left);
             for (int column = 0; column < Size; column++)
@@ -37,28 +27,30 @@ namespace UnityEngine
                 int pivot = column;
                 for (int row = column + 1; row < Size; row++)
                 {
-                    if (Math.Abs(left[row, column]) > Math.Abs(left[pivot, column]))
+                    if (Math.Abs(left[row * Size + column]) > Math.Abs(left[pivot * Size + column]))
                         pivot = row;
                 }
 
-                double scale = left[pivot, column];
+                double scale = left[pivot * Size + column];
                 if (Math.Abs(scale) <= least)
                     return 0;
 
                 determinant *= pivot == column ? scale : -scale;
-                for (int i = 0; i < Size; i++)
+                int to = column * Size;
+                for (int i = 0, from = pivot * Size; i < Size; i++)
                 {
-                    (left[pivot, i], left[column, i]) = (left[column, i], left[pivot, i] / scale);
-                    (right[pivot, i], right[column, i]) = (right[column, i], right[pivot, i] / scale);
+                    (left[from + i], left[to + i]) = (left[to + i], left[from + i] / scale);
+                    (right[from + i], right[to + i]) = (right[to + i], right[from + i] / scale);
                 }
 
                 for (int row = 0; row < Size; row++)
                 {
-                    double factor = row == column ? 0 : left[row, column];
+                    int at = row * Size;
+                    double factor = row == column ? 0 : left[at + column];
                     for (int i = 0; i < Size && factor != 0; i++)
                     {
-                        left[row, i] -= factor * left[column, i];
-                        right[row, i] -= factor * right[column, i];
+                        left[at + i] -= factor * left[to + i];
+                        right[at + i] -= factor * right[to + i];
                     }
                 }
             }
@@ -66,25 +58,20 @@ namespace UnityEngine
             return determinant;
         }
 
-        private static double Largest(double[,] matrix)
+        private static Vector4 Column(double[] rows, int at) => new Vector4((float)rows[at], (float)rows[Size + at], (float)rows[2 * Size + at], (float)rows[3 * Size + at]);
+
+        private static double Largest(double[] elements)
         {
             double largest = 0;
-            foreach (double element in matrix)
+            foreach (double element in elements)
                 largest = Math.Max(largest, Math.Abs(element));
 
             return largest;
         }
 
-        private static double[,] Doubles(Matrix4x4 matrix)
+        private static double[] Rows(Matrix4x4 m) => new double[]
         {
-            double[,] doubles = new double[Size, Size];
-            for (int row = 0; row < Size; row++)
-            {
-                for (int column = 0; column < Size; column++)
-                    doubles[row, column] = matrix[row, column];
-            }
-
-            return doubles;
-        }
+            m.m00, m.m01, m.m02, m.m03, m.m10, m.m11, m.m12, m.m13, m.m20, m.m21, m.m22, m.m23, m.m30, m.m31, m.m32, m.m33,
+        };
     }
 }

@@ -8,30 +8,33 @@ namespace RigidBodyDynamics.Judging
     internal sealed class Explanation
     {
         private readonly Travel _moving;
-        private readonly Travel _turning;
+        private readonly Lazy<Travel> _turning;
 
         public Explanation(Motion motion, TimeStep step)
         {
             Step = step;
             _moving = Travel.Best(motion.Velocity, step, Carry.OfPosition);
-            _turning = Travel.Best(motion.AngularVelocity, step, Carry.OfOrientation);
+            _turning = new Lazy<Travel>(() => Travel.Best(motion.AngularVelocity, step, Carry.OfOrientation));
         }
 
         public TimeStep Step { get; }
 
         public Chain Velocity => _moving.Chain;
 
-        public Chain AngularVelocity => _turning.Chain;
+        public Chain AngularVelocity => _turning.Value.Chain;
 
         public Carry Position => _moving.Carry;
 
-        public Carry Orientation => _turning.Carry;
+        public Carry Orientation => _turning.Value.Carry;
 
-        public bool IsDampedRightly => _moving.IsDampedRightly && _turning.IsDampedRightly;
+        public bool IsDampedRightly => _moving.IsDampedRightly && _turning.Value.IsDampedRightly;
 
         /// <summary>Steps that are off, then steps that are read in another way than the sheet's.</summary>
         public double Cost => Count(!Velocity.GainIsRight, !AngularVelocity.GainIsRight, !Position.IsRight, !Orientation.IsRight, !IsDampedRightly)
             + 0.3 * Count(Position.Code != null, Orientation.Code != null, AngularVelocity.Code != null);
+
+        /// <summary>What steps 1, 3 and 5 alone cost; ω has far more ways to be read than v, and need not be read where this is enough.</summary>
+        public double LeastCost => Count(!Velocity.GainIsRight, !Position.IsRight, !_moving.IsDampedRightly) + 0.3 * Count(Position.Code != null);
 
         private static int Count(params bool[] conditions) => conditions.Count(c => c);
     }

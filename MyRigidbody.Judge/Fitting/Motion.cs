@@ -37,9 +37,10 @@ namespace RigidBodyDynamics.Judging
             AngularVelocity = (
                 from reference in Inertias.References
                 from rotation in Inertias.Rotations
+                let inverses = new Lazy<Matrix[]>(() => Array.ConvertAll(turning, o => Inverse(o, reference, rotation)))
                 from source in Sources
                 select new Lazy<Links>(() => new Links(source, turning
-                    .Select(o => new Link(o, o.Before.AngularVelocity.Value, o.After.AngularVelocity.Value, Acceleration(o, reference, rotation, source))).ToArray())))
+                    .Select((o, i) => new Link(o, o.Before.AngularVelocity.Value, o.After.AngularVelocity.Value, Acceleration(o, inverses.Value[i], source))).ToArray())))
                 .Concat(Sources.Take(2).Select(source => new Lazy<Links>(() => new Links(source, turning
                     .Select(o => new Link(o, o.Before.AngularVelocity.Value, o.After.AngularVelocity.Value, WithGyroscopicTerm(o, source))).ToArray(), "gyroscopic-term")))).ToArray();
         }
@@ -52,15 +53,21 @@ namespace RigidBodyDynamics.Judging
         /// <summary>ω with I⁻¹τ.</summary>
         public IReadOnlyList<Lazy<Links>> AngularVelocity { get; }
 
-        private static Vector Acceleration(Observation o, Func<Observation, Matrix> reference, Func<Observation, Matrix> rotation, Source source)
+        /// <summary>(R I_ref Rᵀ)⁻¹; zero where no source has a torque for it.</summary>
+        private static Matrix Inverse(Observation o, Func<Observation, Matrix> reference, Func<Observation, Matrix> rotation)
+        {
+            if (!o.IsTurnKnown || Sources.All(source => o.Torque(source).Equals(Vector.Zero)))
+                return default(Matrix);
+            Matrix r = rotation(o);
+            return (r * reference(o) * r.Transpose).Inverse;
+        }
+
+        private static Vector Acceleration(Observation o, Matrix inverse, Source source)
         {
             Vector torque = o.Torque(source);
             if (!o.IsTurnKnown)
                 return new Vector(double.NaN, double.NaN, double.NaN);
-            if (torque.Equals(Vector.Zero))
-                return torque;
-            Matrix r = rotation(o);
-            return (r * reference(o) * r.Transpose).Inverse * torque;
+            return torque.Equals(Vector.Zero) ? torque : inverse * torque;
         }
 
         /// <summary>I⁻¹ (τ − ω × I ω), which is what a body does and the sheet leaves out.</summary>

@@ -2,7 +2,6 @@ using System.Globalization;
 using Microsoft.CodeAnalysis;
 using Microsoft.CodeAnalysis.CSharp;
 using Microsoft.CodeAnalysis.CSharp.Syntax;
-using RigidBodyDynamics.Judging;
 
 namespace RigidBodyDynamics.StudentScripts.Compilation;
 

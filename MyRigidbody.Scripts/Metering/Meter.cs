@@ -1,5 +1,4 @@
 using System.ComponentModel;
-using System.Diagnostics;
 using System.Runtime.CompilerServices;
 
 namespace RigidBodyDynamics.StudentScripts.Metering;
@@ -17,7 +16,13 @@ public static class Meter
     /// <summary>Ticks for all messages of a script.</summary>
     internal const long PerScript = 200_000_000;
 
-    private static long _left, _leftInAll;
+    // ticks between two looks at the clock
+    private const int PerLook = 10_000;
+
+    private static long _left, _leftOfMessage, _leftInAll, _ends, _endsInAll;
+
+    /// <summary>How long one message may take, and all of a script, ms; no matter how long where the count alone decides.</summary>
+    internal static (long Message, long Script)? MostTime { get; set; }
 
     /// <summary>Why the script was stopped; null while it was not.</summary>
     internal static Stopped? Reason { get; private set; }
@@ -26,13 +31,14 @@ public static class Meter
     internal static int Line { get; private set; }
 
     /// <summary>One more piece of work.</summary>
+    /// <param name="line">Where it is done, from 1.</param>
     [MethodImpl(MethodImplOptions.NoInlining)]
-    public static void Tick()
+    public static void Tick(int line)
     {
         if (--_left < 0 || Reason != null)
-            Throw(Stopped.Endless);
+            Look(line);
         if (!RuntimeHelpers.TryEnsureSufficientExecutionStack())
-            Throw(Stopped.Recursion);
+            Throw(Stopped.Recursion, line);
     }
 
     /// <summary>A new script.</summary>
@@ -41,14 +47,18 @@ public static class Meter
         Reason = null;
         Line = 0;
         _leftInAll = PerScript;
-        _left = PerMessage;
+        _leftOfMessage = PerMessage;
+        _left = 0;
+        _endsInAll = MostTime is { } most ? Environment.TickCount64 + most.Script : long.MaxValue;
     }
 
     /// <summary>A new message of the script.</summary>
     internal static void BeginMessage()
     {
-        _leftInAll -= PerMessage - Math.Max(_left, 0);
-        _left = Math.Min(PerMessage, _leftInAll);
+        _leftInAll -= PerMessage - _leftOfMessage - Math.Max(_left, 0);
+        _leftOfMessage = Math.Min(PerMessage, _leftInAll);
+        _left = 0;
+        _ends = 0;
     }
 
     /// <summary>Stops the script at its next tick, whatever it catches.</summary>
@@ -62,12 +72,34 @@ public static class Meter
     }
 
     [MethodImpl(MethodImplOptions.NoInlining)]
-    private static void Throw(Stopped reason)
+    private static void Look(int line)
+    {
+        if (Reason != null || _leftOfMessage <= 0 || IsLate())
+            Throw(Stopped.Endless, line);
+
+        _left = Math.Min(PerLook, _leftOfMessage);
+        _leftOfMessage -= _left--;
+    }
+
+    // a message of few ticks is never late, however slow the machine is
+    private static bool IsLate()
+    {
+        if (MostTime is not { } most)
+            return false;
+
+        long now = Environment.TickCount64;
+        if (_ends == 0)
+            _ends = Math.Min(now + most.Message, Math.Max(now, _endsInAll));
+
+        return now > _ends;
+    }
+
+    [MethodImpl(MethodImplOptions.NoInlining)]
+    private static void Throw(Stopped reason, int line)
     {
         Stop(reason);
-        // this method, Tick, the script: a stack that is full takes long to be read whole
         if (Line == 0)
-            Line = new StackFrame(2, needFileInfo: true).GetFileLineNumber();
+            Line = line;
 
         throw new StoppedException();
     }

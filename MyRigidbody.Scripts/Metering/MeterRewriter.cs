@@ -10,37 +10,36 @@ namespace RigidBodyDynamics.StudentScripts.Metering;
 /// </summary>
 internal sealed class MeterRewriter(SemanticModel model) : CSharpSyntaxRewriter
 {
-    private static readonly StatementSyntax Tick =
-        SyntaxFactory.ParseStatement("global::RigidBodyDynamics.StudentScripts.Metering.Meter.Tick();");
+    private static readonly ExpressionSyntax MeterTick = SyntaxFactory.ParseExpression("global::RigidBodyDynamics.StudentScripts.Metering.Meter.Tick");
 
     public override SyntaxNode? VisitForStatement(ForStatementSyntax node) =>
-        ((ForStatementSyntax)base.VisitForStatement(node)!) is var n ? n.WithStatement(Ticking(n.Statement)) : null;
+        ((ForStatementSyntax)base.VisitForStatement(node)!) is var n ? n.WithStatement(Ticking(n.Statement, node.Statement)) : null;
 
     public override SyntaxNode? VisitForEachStatement(ForEachStatementSyntax node) =>
-        ((ForEachStatementSyntax)base.VisitForEachStatement(node)!) is var n ? n.WithStatement(Ticking(n.Statement)) : null;
+        ((ForEachStatementSyntax)base.VisitForEachStatement(node)!) is var n ? n.WithStatement(Ticking(n.Statement, node.Statement)) : null;
 
     public override SyntaxNode? VisitForEachVariableStatement(ForEachVariableStatementSyntax node) =>
-        ((ForEachVariableStatementSyntax)base.VisitForEachVariableStatement(node)!) is var n ? n.WithStatement(Ticking(n.Statement)) : null;
+        ((ForEachVariableStatementSyntax)base.VisitForEachVariableStatement(node)!) is var n ? n.WithStatement(Ticking(n.Statement, node.Statement)) : null;
 
     public override SyntaxNode? VisitWhileStatement(WhileStatementSyntax node) =>
-        ((WhileStatementSyntax)base.VisitWhileStatement(node)!) is var n ? n.WithStatement(Ticking(n.Statement)) : null;
+        ((WhileStatementSyntax)base.VisitWhileStatement(node)!) is var n ? n.WithStatement(Ticking(n.Statement, node.Statement)) : null;
 
     public override SyntaxNode? VisitDoStatement(DoStatementSyntax node) =>
-        ((DoStatementSyntax)base.VisitDoStatement(node)!) is var n ? n.WithStatement(Ticking(n.Statement)) : null;
+        ((DoStatementSyntax)base.VisitDoStatement(node)!) is var n ? n.WithStatement(Ticking(n.Statement, node.Statement)) : null;
 
     public override SyntaxNode? VisitGotoStatement(GotoStatementSyntax node) =>
-        SyntaxFactory.Block(Tick, ((GotoStatementSyntax)base.VisitGotoStatement(node)!).WithoutTrivia()).WithTriviaFrom(node);
+        SyntaxFactory.Block(Tick(node, node.SpanStart), ((GotoStatementSyntax)base.VisitGotoStatement(node)!).WithoutTrivia()).WithTriviaFrom(node);
 
     public override SyntaxNode? VisitCatchClause(CatchClauseSyntax node) =>
-        ((CatchClauseSyntax)base.VisitCatchClause(node)!) is var n ? n.WithBlock((BlockSyntax)Ticking(n.Block)) : null;
+        ((CatchClauseSyntax)base.VisitCatchClause(node)!) is var n ? n.WithBlock((BlockSyntax)Ticking(n.Block, node.Block)) : null;
 
     public override SyntaxNode? VisitFinallyClause(FinallyClauseSyntax node) =>
-        ((FinallyClauseSyntax)base.VisitFinallyClause(node)!) is var n ? n.WithBlock((BlockSyntax)Ticking(n.Block)) : null;
+        ((FinallyClauseSyntax)base.VisitFinallyClause(node)!) is var n ? n.WithBlock((BlockSyntax)Ticking(n.Block, node.Block)) : null;
 
     public override SyntaxNode? VisitMethodDeclaration(MethodDeclarationSyntax node)
     {
         MethodDeclarationSyntax n = (MethodDeclarationSyntax)base.VisitMethodDeclaration(node)!;
-        return n.Body != null ? n.WithBody((BlockSyntax)Ticking(n.Body))
+        return n.Body != null ? n.WithBody((BlockSyntax)Ticking(n.Body, node.Body!))
             : n.ExpressionBody is { } arrow ? n.WithExpressionBody(null).WithSemicolonToken(default).WithBody(Body(arrow, node, IsVoid(node)))
             : n;
     }
@@ -48,7 +47,7 @@ internal sealed class MeterRewriter(SemanticModel model) : CSharpSyntaxRewriter
     public override SyntaxNode? VisitLocalFunctionStatement(LocalFunctionStatementSyntax node)
     {
         LocalFunctionStatementSyntax n = (LocalFunctionStatementSyntax)base.VisitLocalFunctionStatement(node)!;
-        return n.Body != null ? n.WithBody((BlockSyntax)Ticking(n.Body))
+        return n.Body != null ? n.WithBody((BlockSyntax)Ticking(n.Body, node.Body!))
             : n.ExpressionBody is { } arrow ? n.WithExpressionBody(null).WithSemicolonToken(default).WithBody(Body(arrow, node, IsVoid(node)))
             : n;
     }
@@ -56,7 +55,7 @@ internal sealed class MeterRewriter(SemanticModel model) : CSharpSyntaxRewriter
     public override SyntaxNode? VisitConstructorDeclaration(ConstructorDeclarationSyntax node)
     {
         ConstructorDeclarationSyntax n = (ConstructorDeclarationSyntax)base.VisitConstructorDeclaration(node)!;
-        return n.Body != null ? n.WithBody((BlockSyntax)Ticking(n.Body))
+        return n.Body != null ? n.WithBody((BlockSyntax)Ticking(n.Body, node.Body!))
             : n.ExpressionBody is { } arrow ? n.WithExpressionBody(null).WithSemicolonToken(default).WithBody(Body(arrow, node, isVoid: true))
             : n;
     }
@@ -64,7 +63,7 @@ internal sealed class MeterRewriter(SemanticModel model) : CSharpSyntaxRewriter
     public override SyntaxNode? VisitOperatorDeclaration(OperatorDeclarationSyntax node)
     {
         OperatorDeclarationSyntax n = (OperatorDeclarationSyntax)base.VisitOperatorDeclaration(node)!;
-        return n.Body != null ? n.WithBody((BlockSyntax)Ticking(n.Body))
+        return n.Body != null ? n.WithBody((BlockSyntax)Ticking(n.Body, node.Body!))
             : n.ExpressionBody is { } arrow ? n.WithExpressionBody(null).WithSemicolonToken(default).WithBody(Body(arrow, node, isVoid: false))
             : n;
     }
@@ -72,7 +71,7 @@ internal sealed class MeterRewriter(SemanticModel model) : CSharpSyntaxRewriter
     public override SyntaxNode? VisitConversionOperatorDeclaration(ConversionOperatorDeclarationSyntax node)
     {
         ConversionOperatorDeclarationSyntax n = (ConversionOperatorDeclarationSyntax)base.VisitConversionOperatorDeclaration(node)!;
-        return n.Body != null ? n.WithBody((BlockSyntax)Ticking(n.Body))
+        return n.Body != null ? n.WithBody((BlockSyntax)Ticking(n.Body, node.Body!))
             : n.ExpressionBody is { } arrow ? n.WithExpressionBody(null).WithSemicolonToken(default).WithBody(Body(arrow, node, isVoid: false))
             : n;
     }
@@ -80,7 +79,7 @@ internal sealed class MeterRewriter(SemanticModel model) : CSharpSyntaxRewriter
     public override SyntaxNode? VisitAccessorDeclaration(AccessorDeclarationSyntax node)
     {
         AccessorDeclarationSyntax n = (AccessorDeclarationSyntax)base.VisitAccessorDeclaration(node)!;
-        return n.Body != null ? n.WithBody((BlockSyntax)Ticking(n.Body))
+        return n.Body != null ? n.WithBody((BlockSyntax)Ticking(n.Body, node.Body!))
             : n.ExpressionBody is { } arrow ? n.WithExpressionBody(null).WithSemicolonToken(default).WithBody(Body(arrow, node, !node.IsKind(SyntaxKind.GetAccessorDeclaration)))
             : n;
     }
@@ -100,22 +99,30 @@ internal sealed class MeterRewriter(SemanticModel model) : CSharpSyntaxRewriter
     public override SyntaxNode? VisitParenthesizedLambdaExpression(ParenthesizedLambdaExpressionSyntax node)
     {
         ParenthesizedLambdaExpressionSyntax n = (ParenthesizedLambdaExpressionSyntax)base.VisitParenthesizedLambdaExpression(node)!;
-        return n.Block != null ? n.WithBlock((BlockSyntax)Ticking(n.Block)) : n.WithExpressionBody(null).WithBlock(Body(n.ExpressionBody!, node));
+        return n.Block != null ? n.WithBlock((BlockSyntax)Ticking(n.Block, node.Block!)) : n.WithExpressionBody(null).WithBlock(Body(n.ExpressionBody!, node));
     }
 
     public override SyntaxNode? VisitSimpleLambdaExpression(SimpleLambdaExpressionSyntax node)
     {
         SimpleLambdaExpressionSyntax n = (SimpleLambdaExpressionSyntax)base.VisitSimpleLambdaExpression(node)!;
-        return n.Block != null ? n.WithBlock((BlockSyntax)Ticking(n.Block)) : n.WithExpressionBody(null).WithBlock(Body(n.ExpressionBody!, node));
+        return n.Block != null ? n.WithBlock((BlockSyntax)Ticking(n.Block, node.Block!)) : n.WithExpressionBody(null).WithBlock(Body(n.ExpressionBody!, node));
     }
 
     public override SyntaxNode? VisitAnonymousMethodExpression(AnonymousMethodExpressionSyntax node) =>
-        ((AnonymousMethodExpressionSyntax)base.VisitAnonymousMethodExpression(node)!) is var n ? n.WithBlock((BlockSyntax)Ticking(n.Block)) : null;
+        ((AnonymousMethodExpressionSyntax)base.VisitAnonymousMethodExpression(node)!) is var n ? n.WithBlock((BlockSyntax)Ticking(n.Block, node.Block)) : null;
 
     // a body that is one statement, or none, becomes a block on the same lines
-    private static StatementSyntax Ticking(StatementSyntax body) => body is BlockSyntax block
-        ? block.WithStatements(block.Statements.Insert(0, Tick))
-        : SyntaxFactory.Block(Tick, body);
+    private static StatementSyntax Ticking(StatementSyntax body, StatementSyntax original) => body is BlockSyntax block
+        ? block.WithStatements(block.Statements.Insert(0, Tick(original, ((BlockSyntax)original).OpenBraceToken.FullSpan.End)))
+        : SyntaxFactory.Block(Tick(original, original.FullSpan.Start), body);
+
+    // says its line itself: not every runtime can tell the line of what it runs
+    private static ExpressionStatementSyntax Tick(SyntaxNode original, int position)
+    {
+        int line = original.SyntaxTree.GetText().Lines.GetLineFromPosition(position).LineNumber + 1;
+        ArgumentSyntax argument = SyntaxFactory.Argument(SyntaxFactory.LiteralExpression(SyntaxKind.NumericLiteralExpression, SyntaxFactory.Literal(line)));
+        return SyntaxFactory.ExpressionStatement(SyntaxFactory.InvocationExpression(MeterTick, SyntaxFactory.ArgumentList(SyntaxFactory.SingletonSeparatedList(argument))));
+    }
 
     private bool IsVoid(SyntaxNode method) => model.GetDeclaredSymbol(method) is IMethodSymbol { ReturnsVoid: true };
 
@@ -123,12 +130,12 @@ internal sealed class MeterRewriter(SemanticModel model) : CSharpSyntaxRewriter
         SyntaxFactory.AccessorDeclaration(SyntaxKind.GetAccessorDeclaration, Body(arrow, of, isVoid: false))));
 
     private static BlockSyntax Body(ArrowExpressionClauseSyntax arrow, SyntaxNode of, bool isVoid) =>
-        Body(arrow.Expression, isVoid, arrow.ArrowToken).WithTrailingTrivia(of.GetTrailingTrivia());
+        Body(arrow.Expression, isVoid, arrow.ArrowToken, Tick(of, of.ChildNodes().OfType<ArrowExpressionClauseSyntax>().Single().FullSpan.Start)).WithTrailingTrivia(of.GetTrailingTrivia());
 
     private BlockSyntax Body(ExpressionSyntax expression, LambdaExpressionSyntax of) =>
-        Body(expression, model.GetSymbolInfo(of).Symbol is IMethodSymbol { ReturnsVoid: true }, default);
+        Body(expression, model.GetSymbolInfo(of).Symbol is IMethodSymbol { ReturnsVoid: true }, default, Tick(of, of.ExpressionBody!.FullSpan.Start));
 
-    private static BlockSyntax Body(ExpressionSyntax expression, bool isVoid, SyntaxToken arrow)
+    private static BlockSyntax Body(ExpressionSyntax expression, bool isVoid, SyntaxToken arrow, StatementSyntax tick)
     {
         // what stood between the arrow and the expression may hold line breaks: it is kept
         expression = expression.WithLeadingTrivia(arrow.LeadingTrivia.AddRange(arrow.TrailingTrivia).AddRange(expression.GetLeadingTrivia()));
@@ -136,6 +143,6 @@ internal sealed class MeterRewriter(SemanticModel model) : CSharpSyntaxRewriter
             expression is ThrowExpressionSyntax thrown ? SyntaxFactory.ThrowStatement(thrown.Expression)
             : isVoid ? SyntaxFactory.ExpressionStatement(expression)
             : SyntaxFactory.ReturnStatement(expression).WithReturnKeyword(SyntaxFactory.Token(SyntaxKind.ReturnKeyword).WithTrailingTrivia(SyntaxFactory.Space));
-        return SyntaxFactory.Block(Tick, statement);
+        return SyntaxFactory.Block(tick, statement);
     }
 }

@@ -34,24 +34,33 @@ internal static class Execution
     /// <summary>On the caller's thread.</summary>
     public static RunOutcome Run(CompiledScript compiled, Action afterFrame)
     {
-        Meter.Reset();
         using StandIn laboratory = new(compiled, afterFrame);
+        Recording? recording = null;
+        Finding? stopped = Try(compiled, laboratory, () => recording = Experiments.Record(laboratory));
+        return stopped == null ? new RunOutcome(recording, null) : new RunOutcome(null, stopped);
+    }
+
+    /// <summary>Has a script do something, and says why it did not do it to the end; null if it did.</summary>
+    public static Finding? Try(CompiledScript compiled, StandIn laboratory, Action work)
+    {
+        Meter.Reset();
         try
         {
-            return new RunOutcome(Experiments.Record(laboratory), null);
+            work();
+            return null;
         }
         catch (ScriptException thrown)
         {
-            return new RunOutcome(null, Thrown(thrown.InnerException!, laboratory, compiled));
+            return Thrown(thrown.InnerException!, laboratory, compiled);
         }
         catch (Exception stopped) when (stopped is StoppedException or OutOfMemoryException or InsufficientExecutionStackException)
         {
-            return new RunOutcome(null, WasStopped(laboratory, compiled));
+            return WasStopped(laboratory, compiled);
         }
         catch (Exception broken)
         {
             // a script that destroys its object, say, takes from under the judge what it looks at
-            return new RunOutcome(null, Place(Words.Stopped("ended", broken.GetType().Name), null, laboratory));
+            return Place(Words.Stopped("ended", broken.GetType().Name), null, laboratory);
         }
     }
 

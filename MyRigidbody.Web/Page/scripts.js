@@ -1,4 +1,5 @@
-// Asks the worker of scripts, one request at a time, and is its watch: a script that stops answering ends with its worker.
+// Asks the workers of scripts, each one request at a time, and is their watch: a script that stops answering ends with its worker.
+// One worker judges, and another plays, so that nothing stands still while a script is judged.
 
 // s: the meter inside stops a script after one
 const mostSilence = 2.5;
@@ -13,6 +14,7 @@ class Worked {
   #watch;
   #verdicts = 0;
   #next = 0;
+  #played;
 
   ask(request) {
     return new Promise(answer => {
@@ -48,6 +50,12 @@ class Worked {
     }
 
     this.#asked = this.#waiting.shift();
+    if (this.#asked.request.do === 'play') {
+      this.#played = this.#asked.request;
+    } else if (this.#asked.request.do === 'step') {
+      this.#watch = setTimeout(() => this.#stop('endless-loop'), mostSilence * 1000);
+    }
+
     this.#verdicts += this.#asked.request.do === 'judge' ? 1 : 0;
     this.#worker.postMessage(this.#asked.request);
   }
@@ -80,8 +88,12 @@ class Worked {
     const { request, answer } = this.#asked ?? {};
     this.#asked = undefined;
     this.#end();
+    const inWords = { do: 'ended', code, id: ++this.#next };
     if (request?.do === 'judge') {
-      this.#waiting.unshift({ request: { ...request, do: 'ended', code, id: ++this.#next }, answer });
+      this.#waiting.unshift({ request: { ...request, ...inWords }, answer });
+    } else if (request?.do === 'step' && this.#played) {
+      const why = ({ verdict }) => answer({ id: request.id, poses: new Float64Array(0), finding: verdict?.findings[0] ?? { code, en: code, zh: code } });
+      this.#waiting.unshift({ request: { files: this.#played.files, ...inWords }, answer: why });
     } else {
       answer?.({ id: request.id, ended: code });
     }
@@ -97,6 +109,6 @@ class Worked {
   }
 }
 
-const worked = new Worked();
+const judging = new Worked(), playing = new Worked();
 
-export const ask = request => worked.ask(request);
+export const ask = request => (request.do === 'play' || request.do === 'step' ? playing : judging).ask(request);

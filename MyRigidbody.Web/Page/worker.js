@@ -8,6 +8,8 @@ const files = ({ files }) => {
   return [files.map(({ name }) => name), bytes.map(({ length }) => length), all];
 };
 
+const found = finding => (finding ? { finding: JSON.parse(finding) } : { ok: true });
+
 const doing = {
   ready: () => ({}),
   errors: ({ Scripts }, request) => ({ errors: JSON.parse(Scripts.Errors(...files(request))) }),
@@ -15,6 +17,16 @@ const doing = {
   report: ({ PlayedReport }, { file, text, beside = [], script, plotting }) => {
     beside.forEach(one => PlayedReport.Put(one.name, new TextEncoder().encode(one.text)));
     return { html: PlayedReport.Html(file, text, script ? [script.names.en, script.names.zh] : [], [...script?.poses ?? []], plotting) };
+  },
+  play: ({ Scripts }, { setting, ...request }) => found(Scripts.Play(...files(request), setting.edges, setting.position, setting.orientation, setting.fixedDelta ?? 0.02)),
+  step: ({ Scripts }, { held, count = 1 }) => {
+    const poses = Float64Array.from(Scripts.Step(held, count));
+    return { poses, ...(poses.length < 7 * count ? found(Scripts.Stopped()) : {}) };
+  },
+  unpack: ({ Packages }, { name, bytes }) => JSON.parse(Packages.Unpack(name, bytes)),
+  package: ({ Packages }, request) => {
+    const bytes = Packages.Package(...files(request), request.name);
+    return bytes.length > 0 ? { bytes: Uint8Array.from(bytes) } : JSON.parse(Packages.WhyNot());
   },
   ended: ({ Scripts }, request) => ({ ...JSON.parse(Scripts.Ended(...files(request), request.lang ?? 'en', request.code)), motion: null }),
 };

@@ -51,6 +51,25 @@ internal static partial class Scripts
     [JSExport]
     internal static string? Motion() => _judged?.Recording is { } recording ? MotionJson.Of(ScriptMotion.Of(recording)) : null;
 
+    /// <summary>Puts a script on a box of three edges, at x y z, turned by w x y z, with frames of so many seconds; why it cannot be, or null.</summary>
+    [JSExport]
+    internal static string? Play(string[] names, int[] lengths, byte[] bytes, double[] edges, double[] position, double[] orientation, double delta)
+    {
+        Pose pose = new(new Vector(position[0], position[1], position[2]), new Orientation(orientation[1], orientation[2], orientation[3], orientation[0]));
+        return Shown(Runner.Play(Json.Files(names, lengths, bytes), new Vector(edges[0], edges[1], edges[2]), pose, delta));
+    }
+
+    /// <summary>Frames of the script that is played with these keys held; a pose of seven numbers for each, and fewer where it stops.</summary>
+    [JSExport]
+    internal static double[] Step(int held, int count) => Runner.Playing?.Step((Keys)held, count) ?? [];
+
+    /// <summary>Why the script that was played is played no longer; null while it is.</summary>
+    [JSExport]
+    internal static string? Stopped() => Shown(Runner.Playing?.Stopped);
+
+    private static string? Shown(Finding? finding) => finding == null ? null
+        : Json.Of(new { code = finding.Code, en = finding.English, zh = finding.Chinese, line = finding.Line });
+
     private static string Said(string name, ScriptReport report, string language)
     {
         _judged = report;
