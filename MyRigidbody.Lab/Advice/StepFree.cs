@@ -90,11 +90,12 @@ public static class StepFree
     /// <summary>−ln x for 0 &lt; x ≤ 1: Halley's rule on e^(−y) = x, so that all runtimes agree.</summary>
     private static double MinusLog(double x)
     {
-        double y = 0;
+        double y = 0, before = double.NaN;
         // far from the root it goes by steps of two, and the smallest double is e^(−745)
-        for (int i = 0; i < 400; i++)
+        for (int i = 0; i < 400 && y != before; i++)
         {
             double e = Elementary.Exp(-y);
+            before = y;
             y += 2 * (e - x) / (e + x);
         }
 

@@ -11,7 +11,7 @@ internal sealed class StepSearch
     private const long LongRun = 2000, VeryLongRun = 20_000;
     private const double Coarse = 1.1, Fine = 1.02, Beside = 1.25, ManyBits = 1e-9;
 
-    private readonly SceneDescription _scene;
+    private readonly SceneDescription _free;
     private readonly Truth _truth;
     private readonly double _error;
     private readonly double[] _steps;
@@ -20,7 +20,7 @@ internal sealed class StepSearch
 
     public StepSearch(SceneDescription scene, Truth truth, double error)
     {
-        _scene = scene;
+        _free = StepFree.Of(scene);
         _truth = truth;
         _error = error;
         _steps = StepSizes.Of(scene, truth.Duration);
@@ -55,7 +55,7 @@ internal sealed class StepSearch
                 break;
 
             long count = StepSizes.Count(_truth.Duration, step);
-            Trial trial = Trial.Of(_scene, _truth, rule, step, _error, toItsEnd: count > (misses ? VeryLongRun : LongRun));
+            Trial trial = Trial.OfStepFree(_free, _truth, rule, step, _error, toItsEnd: count > (misses ? VeryLongRun : LongRun));
             if (Advisor.IsBelow(trial, _truth, _error))
                 return trial;
 

@@ -55,11 +55,14 @@ public sealed class Trial
     /// <param name="step">Length of its steps, s.</param>
     /// <param name="most">With an error above it a run is not looked at between its steps.</param>
     /// <param name="toItsEnd">False: nor is it then run to its end.</param>
-    public static Trial Of(SceneDescription scene, Truth truth, Rule rule, double step, double most = double.PositiveInfinity, bool toItsEnd = true)
+    public static Trial Of(SceneDescription scene, Truth truth, Rule rule, double step, double most = double.PositiveInfinity, bool toItsEnd = true) =>
+        OfStepFree(StepFree.Of(scene), Guard.NotNull(truth, nameof(truth)), Guard.NotNull(rule, nameof(rule)), step, most, toItsEnd);
+
+    /// <summary>The same of a scene that <see cref="StepFree"/> has made.</summary>
+    internal static Trial OfStepFree(SceneDescription scene, Truth truth, Rule rule, double step, double most, bool toItsEnd)
     {
-        Guard.NotNull(truth, nameof(truth));
         TimeSteps steps = TimeSteps.Until(truth.Duration, step);
-        Trial trial = new Trial(StepFree.By(StepFree.Of(scene), Guard.NotNull(rule, nameof(rule)), steps), rule, step);
+        Trial trial = new Trial(StepFree.By(scene, rule, steps), rule, step);
         try
         {
             Deviation[] found = [.. trial.Scene.Bodies.Select(body => new Deviation())], halfway = [.. found.Select(_ => new Deviation())];
