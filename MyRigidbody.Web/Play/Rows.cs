@@ -1,5 +1,4 @@
 using System.Runtime.InteropServices;
-using RigidBodyDynamics.Lab.Report;
 
 namespace RigidBodyDynamics.Web.Play;
 

@@ -1,6 +1,5 @@
 using System.Globalization;
 using NUnit.Framework;
-using OpenQA.Selenium;
 using RigidBodyDynamics.Tests.CommandLine;
 using RigidBodyDynamics.Tests.Repository;
 
@@ -178,6 +177,20 @@ public sealed class PlayPageTests
         string[] last = run.Output.Split('\n').Single(line => line.StartsWith($"MyRigidbody,{steps},", StringComparison.Ordinal)).Split(',');
         Assert.That(double.Parse(last[3], CultureInfo.InvariantCulture), Is.EqualTo(end));
         Assert.That(compare.Output, Does.Contain("bit for bit"));
+    }
+
+    [Test]
+    public void The_report_is_the_page_of_compare()
+    {
+        _browser.SaveTo(_folder.Path);
+        _browser.Find("#play").Click();
+        _browser.Find("#save-report").Click();
+        string page = _folder.File("lab-played.html");
+
+        Assert.That(() => File.Exists(page), NUnit.Framework.Is.True.After(120_000, 200));
+        string html = File.ReadAllText(page);
+        Assert.That(html, Does.Contain("compare lab-played.json").And.Contain("id=\"rules\"").And.Contain("report.poseAt"));
+        Assert.That(_browser.Get<bool>("document.getElementById('said').hidden"), Is.True);
     }
 
     [Test]
