@@ -41,7 +41,10 @@ namespace RigidBodyDynamics
         /// has run away.
         /// </summary>
         public bool HasFiniteSquares =>
-            Position.IsFinite && Orientation.IsFinite && Guard.IsFinite(Velocity.LengthSquared + AngularVelocity.LengthSquared);
+            // zero times a number is zero, and NaN where the number is not finite: one comparison for all
+            0 * Position.X + 0 * Position.Y + 0 * Position.Z + 0 * Orientation.W + 0 * Orientation.X + 0 * Orientation.Y + 0 * Orientation.Z
+            + 0 * (Velocity.X * Velocity.X + Velocity.Y * Velocity.Y + Velocity.Z * Velocity.Z
+            + (AngularVelocity.X * AngularVelocity.X + AngularVelocity.Y * AngularVelocity.Y + AngularVelocity.Z * AngularVelocity.Z)) == 0;
 
         /// <summary>
         /// A state between two others: the centre of mass goes by Hermite's cubic through both velocities, the orientation the shorter

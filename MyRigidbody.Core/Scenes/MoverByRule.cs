@@ -14,16 +14,18 @@ namespace RigidBodyDynamics
         private readonly Stretch<TIntegrator>[] _stretches;
         private readonly Clock _clock;
         private Stretch<TIntegrator>[] _loaded;
-        private Moment _now, _before;
+        // as the plan has them, which is elsewhere in memory
+        private readonly bool _isPushed, _givesImpulses;
+        private Moment _now;
+        // null until it may be asked for
+        private Kept<Moment> _before;
+        private long _keptAt;
 
-        public Mover(BodyPlan plan, Clock clock) : base(plan)
+        public Mover(BodyPlan plan, Clock clock) : this(plan, clock, default(TIntegrator), clock.Step)
         {
-            _clock = clock;
-            _stretches = StretchBuilder<TIntegrator>.Bind(plan, isWatched: false);
-            _now.Step = clock.Step;
             _now.Motion.Start(new Beginning(plan.Body));
             Settle(isPlace: true);
-            _before = _now;
+            Keep();
         }
 
         /// <summary>A body that was one of many.</summary>
@@ -35,13 +37,27 @@ namespace RigidBodyDynamics
         /// <param name="keptIn">The stretch of that step.</param>
         /// <param name="stretch">The stretch in which it is.</param>
         /// <param name="coasts">Whether it coasts.</param>
-        public Mover(BodyPlan plan, Clock clock, in TIntegrator now, in TIntegrator kept, long since, int keptIn, int stretch, bool coasts) : base(plan)
+        public Mover(BodyPlan plan, Clock clock, in TIntegrator now, in TIntegrator kept, long since, int keptIn, int stretch, bool coasts)
+            : this(plan, clock, now, since)
+        {
+            _before = new Kept<Moment> { Value = new Moment { Motion = kept, Step = since, Anchored = since, Stretch = keptIn, IsDormant = coasts } };
+            _keptAt = since;
+            _now.Stretch = stretch;
+            _now.IsDormant = coasts;
+            if (coasts)
+                _stretches[stretch].Anchor.Value = kept;
+        }
+
+        private Mover(BodyPlan plan, Clock clock, in TIntegrator now, long since) : base(plan)
         {
             _clock = clock;
+            _isPushed = plan.IsPushed;
+            _givesImpulses = plan.HasImpulses;
             _stretches = StretchBuilder<TIntegrator>.Bind(plan, isWatched: false);
-            _before = new Moment { Motion = kept, Step = since, Anchored = since, Stretch = keptIn, IsDormant = coasts };
-            _now = new Moment { Motion = now, Step = clock.Step, Anchored = since, Stretch = stretch, IsDormant = coasts };
-            _stretches[stretch].Anchor = kept;
+            foreach (Stretch<TIntegrator> stretch in _stretches)
+                stretch.Anchor = plan.MayCoast && !stretch.IsPushed ? new Kept<TIntegrator>() : null;
+
+            _now = new Moment { Motion = now, Step = clock.Step, Anchored = since };
         }
 
         public override long WakesAt => _stretches[_now.Stretch].End;
@@ -49,7 +65,7 @@ namespace RigidBodyDynamics
         private bool IsLoaded => Load.Step == _now.Step;
 
         /// <summary>True where the next step begins with an impulse, which the state does not have yet.</summary>
-        private bool Gives => Plan.HasImpulses && Plan.Stretches[_now.Stretch].GivesAt(_now.Step);
+        private bool Gives => _givesImpulses && Plan.Stretches[_now.Stretch].GivesAt(_now.Step);
 
         public override BodyState StateOf(Body body)
         {
@@ -64,8 +80,8 @@ namespace RigidBodyDynamics
 
         public override long Advance(long end, ref Exception failure)
         {
-            if (Plan.IsPushed || IsLoaded || Last != null || _now.Step - _before.Step >= StepsBetweenCopies)
-                _before = _now;
+            if (_isPushed || IsLoaded || Last != null || _before == null || _now.Step - _keptAt >= StepsBetweenCopies)
+                KeepNow();
 
             try
             {
@@ -113,7 +129,7 @@ namespace RigidBodyDynamics
             Arrive(mayCoast: true);
             Load = (IsLoaded ? Load : new Load { Step = _now.Step }).With(load, Plan.Body);
             _now.IsDormant = false;
-            _before = _now;
+            KeepNow();
             _loaded = _loaded ?? StretchBuilder<TIntegrator>.Bind(Plan, isWatched: false, loaded: this);
         }
 
@@ -140,17 +156,18 @@ namespace RigidBodyDynamics
         public override object Save()
         {
             CatchUp();
-            return new Saved { Now = _now, Anchor = _stretches[_now.Stretch].Anchor, Load = Load, Last = Last == null ? null : Remember().Copy() };
+            return new Saved { Now = _now, Anchor = Anchor, Load = Load, Last = Last == null ? null : Remember().Copy() };
         }
 
         public override void Restore(object saved)
         {
             Saved from = (Saved)saved;
             Load = from.Load;
-            _before = from.Now;
             Last = from.Last?.Copy();
-            Return();
-            _stretches[_now.Stretch].Anchor = from.Anchor;
+            _now = from.Now;
+            Forget();
+            Keep();
+            Anchor = from.Anchor;
         }
 
         private void Changed(bool mayCoast)
@@ -161,12 +178,23 @@ namespace RigidBodyDynamics
 
             _now.IsDormant = false;
             Settle(mayCoast);
-            _before = _now;
+            Keep();
+        }
+
+        /// <summary>The state in which it began to coast, in a stretch where it may.</summary>
+        private TIntegrator Anchor
+        {
+            get => _stretches[_now.Stretch].Anchor?.Value ?? default(TIntegrator);
+            set
+            {
+                if (_stretches[_now.Stretch].Anchor is Kept<TIntegrator> anchor)
+                    anchor.Value = value;
+            }
         }
 
         private void Return()
         {
-            _now = _before;
+            _now = _before.Value;
             Forget();
         }
 
@@ -224,7 +252,7 @@ namespace RigidBodyDynamics
             {
                 _now.IsDormant = _clock.SomeRest = true;
                 _now.Anchored = _now.Step;
-                stretch.Anchor = _now.Motion;
+                stretch.Anchor.Value = _now.Motion;
             }
         }
 
@@ -241,7 +269,7 @@ namespace RigidBodyDynamics
                 return;
 
             // back to where it began to coast, so that it is said again to whoever looks next
-            _now.Motion = _stretches[_now.Stretch].Anchor;
+            _now.Motion = Anchor;
             _now.Step = _now.Anchored;
             throw Lost(LastFinite(_now, step));
         }

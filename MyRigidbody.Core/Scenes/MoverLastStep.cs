@@ -13,9 +13,9 @@ namespace RigidBodyDynamics
             LastStep<TIntegrator> last = Last as LastStep<TIntegrator> ?? new LastStep<TIntegrator>();
             if (_now.IsDormant && _now.Anchored < step)
                 last.Coasted(step, _clock.LastLength, _now.Motion, _stretches[_now.Stretch]);
-            else if (_before.Step < step && HasCoasted(step))
-                last.Coasted(step, _clock.LastLength, _now.Motion, _stretches[_before.Stretch]);
-            else if (_before.Step < step)
+            else if (_keptAt < step && HasCoasted(step))
+                last.Coasted(step, _clock.LastLength, _now.Motion, _stretches[_before.Value.Stretch]);
+            else if (_keptAt < step)
                 last.Went(step, _clock.LastLength, Before(step), _now.Motion.State, Plan.Body.Mass.CenterOfMass);
             else
                 last.Jump(step, _now.Motion.State);
@@ -26,15 +26,15 @@ namespace RigidBodyDynamics
         /// <summary>The step before this one was taken, though nothing pushed and the way was known: it ended a stretch, or had a length of its own.</summary>
         private bool HasCoasted(long step)
         {
-            Stretch<TIntegrator> stretch = _stretches[_before.Stretch];
-            return Plan.MayCoast && stretch.End >= step && Load.Step != step - 1 && stretch.KnowsWay(_before.Motion);
+            Stretch<TIntegrator> stretch = _stretches[_before.Value.Stretch];
+            return Plan.MayCoast && stretch.End >= step && Load.Step != step - 1 && stretch.KnowsWay(_before.Value.Motion);
         }
 
         /// <summary>The state before the last step, on the way there once more.</summary>
         private BodyState Before(long step)
         {
             Moment now = _now;
-            TIntegrator anchor = _stretches[now.Stretch].Anchor;
+            TIntegrator anchor = Anchor;
             Return();
             Run(_stretches, _loaded, step - 1);
             CatchUp(step - 1);
@@ -44,7 +44,7 @@ namespace RigidBodyDynamics
             BodyState before = _now.Motion.State;
             _now = now;
             Forget();
-            _stretches[now.Stretch].Anchor = anchor;
+            Anchor = anchor;
             return before;
         }
     }

@@ -13,7 +13,7 @@ namespace RigidBodyDynamics
             while (high - low > 1)
             {
                 long middle = low + (high - low) / 2;
-                TIntegrator motion = stretch.Anchor;
+                TIntegrator motion = stretch.Anchor.Value;
                 stretch.Forget();
                 stretch.Coast(ref motion, _clock.Steps, coasting.Anchored, coasting.Anchored, middle);
                 if (motion.IsFinite)
@@ -63,6 +63,21 @@ namespace RigidBodyDynamics
             }
 
             return end;
+        }
+
+        // a body that coasts for ever has its anchor to go back to
+        private void Keep()
+        {
+            _keptAt = _now.Step;
+            if (_before != null || !_now.IsDormant || _stretches.Length > 1)
+                KeepNow();
+        }
+
+        private void KeepNow()
+        {
+            _before = _before ?? new Kept<Moment>();
+            _before.Value = _now;
+            _keptAt = _now.Step;
         }
     }
 }

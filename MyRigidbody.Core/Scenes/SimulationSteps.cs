@@ -167,8 +167,8 @@ namespace RigidBodyDynamics
             do
             {
                 long stop = end;
-                foreach (Mover crowd in _crowds)
-                    stop = crowd.Limit(stop);
+                for (int i = 0; i < _crowds.Count; i++)
+                    stop = _crowds[i].Limit(stop);
 
                 RunTo(stop);
             }
@@ -201,8 +201,8 @@ namespace RigidBodyDynamics
                 _clock.LastLength = _clock.Steps.Length(end - 1);
 
             _clock.Step = end;
-            foreach (Mover crowd in _crowds)
-                crowd.Stay();
+            for (int i = 0; i < _crowds.Count; i++)
+                _crowds[i].Stay();
 
             if (_clock.SomeRest)
                 LayDown();

@@ -2,19 +2,29 @@ using System.Runtime.CompilerServices;
 
 namespace RigidBodyDynamics
 {
+    /// <summary>What a body was once, apart from what every step reads: so more bodies have room in a cache.</summary>
+    internal sealed class Kept<T> where T : struct
+    {
+        public T Value;
+    }
+
     /// <summary>A stretch of steps during which the same effects act on a body.</summary>
     internal abstract class Stretch<TIntegrator> where TIntegrator : struct, IIntegrator
     {
-        /// <summary>The state in which a body began to coast.</summary>
-        public TIntegrator Anchor;
+        /// <summary>The state in which a body began to coast; null where none may.</summary>
+        public Kept<TIntegrator> Anchor;
 
-        protected Stretch(long end)
+        protected Stretch(long end, bool isPushed)
         {
             End = end;
+            IsPushed = isPushed;
         }
 
         /// <summary>The step after its last.</summary>
         public long End { get; }
+
+        /// <summary>True if something pushes in it.</summary>
+        public bool IsPushed { get; }
 
         /// <summary>The length of steps (s) that the rule is prepared for by this stretch; 0 for none.</summary>
         public double PreparedFor { get; set; }
@@ -49,13 +59,11 @@ namespace RigidBodyDynamics
         private readonly Coasting _coasting;
         private TSum _sum;
 
-        public Stretch(long end, in Coasting coasting, TSum sum) : base(end)
+        public Stretch(long end, in Coasting coasting, TSum sum) : base(end, (sum.Traits & (EffectTraits.Moves | EffectTraits.Turns)) != 0)
         {
             _coasting = coasting;
             _sum = sum;
         }
-
-        private bool IsPushed => (_sum.Traits & (EffectTraits.Moves | EffectTraits.Turns)) != 0;
 
         [MethodImpl(Optimised)]
         public override void Run(ref TIntegrator integrator, TimeSteps steps, long first, long end)
@@ -94,7 +102,7 @@ namespace RigidBodyDynamics
             long block = anchored + (to - anchored) / Coasting.StepsBetweenClosedForms * Coasting.StepsBetweenClosedForms;
             if (from < block)
             {
-                integrator = Anchor;
+                integrator = Anchor.Value;
                 Forget();
                 Leap(ref integrator, steps.Between(anchored, block));
                 from = block;
