@@ -89,7 +89,7 @@ namespace RigidBodyDynamics.Scripts
         public bool IsReady => _simulation != null;
 
         /// <summary>Length of the steps, s.</summary>
-        internal double StepLength => ToUnity.Meant(_stepLength);
+        internal double StepLength { get; private set; }
 
         /// <summary>The keys that were held in the last step.</summary>
         public LabKeyboard Keyboard => _keyboard;
@@ -165,14 +165,14 @@ namespace RigidBodyDynamics.Scripts
         private void Build(bool goesOn)
         {
             _isChanged = false;
-            _stepLength = Time.fixedDeltaTime;
+            StepLength = ToUnity.Meant(_stepLength = Time.fixedDeltaTime);
             try
             {
                 BodyDescription next = Describe(goesOn ? State : StartState());
                 if (goesOn)
                     Body.Change(next);
                 else
-                    _simulation = new Simulation(TimeSteps.Every(ToUnity.Meant(_stepLength)), next);
+                    _simulation = new Simulation(TimeSteps.Every(StepLength), next);
 
                 Description = next;
                 // what was refused before and is mended moves again; what somebody else switched off stays off
