@@ -24,6 +24,12 @@ internal static class Ratios
                 Add(title, of, to, bodies, threads);
         }
 
+        foreach (string what in new[] { "Exact, three moments", "LabEuler" })
+        {
+            if (Find(what + ", one by one", 100_000, 1) is Measurement many && Find(what + ", one by one", 1000, 1) is Measurement few)
+                table.AddRow("100,000 bodies to 1,000, one by one", many.What, few.What, many.RatioTo(few).ToString("0.00", CultureInfo.InvariantCulture));
+        }
+
         return table;
 
         void Add(string title, string of, string to, int bodies = 1, int threads = 1)
@@ -41,8 +47,23 @@ internal static class Ratios
             all.FirstOrDefault(m => m.What == what && m.Bodies == bodies && m.Threads == threads);
     }
 
+    /// <summary>Whether the ratios can be believed: how far a measurement came from itself, taken a second time.</summary>
+    public static string Quiet(IReadOnlyList<Measurement> all)
+    {
+        const double Most = 0.02;
+        Measurement again = all.First(m => m.What == "Exact, no effect, again"), first = all.First(m => m.What == "Exact, no effect");
+        double off = Math.Abs(again.RatioTo(first) - 1);
+        return FormattableString.Invariant($"a measurement to itself: {100 * off:0.0} % off; ")
+            + (off <= Most ? "the machine was quiet" : "THE RUN IS NOISY, its ratios say nothing; let nothing else run, and take it again");
+    }
+
     private static IEnumerable<(string Title, string Of, string To)> Single()
     {
+        yield return ("Exact to the naive step", "free body by Exact", "free body by LabEuler");
+        yield return ("Exact to the naive step, a step a call", "Exact, free, a step a call", "LabEuler, free, a step a call");
+        foreach (string torque in new[] { "a constant torque", "a torque by sin t" })
+            yield return ("Exact to RungeKutta4", $"Exact, {torque}", $"RungeKutta4, {torque}");
+
         yield return ("the library's step to one written by hand", "lab's step, by the library", "lab's step, written by hand");
         yield return ("a measurement to itself", "Exact, no effect, again", "Exact, no effect");
         foreach (string effect in new[] { "gravity", "linear damping", "angular damping", "force", "torque", "drag", "spring" })
@@ -77,6 +98,8 @@ internal static class Ratios
             yield return ("two threads", what + ", together", what + ", together", 2);
         }
 
+        yield return ("to what the memory can do", "Exact, three moments, together", "in-place scale of 26 doubles a body", 1);
+        yield return ("to what the memory can do", "LabEuler, together", "in-place scale of 26 doubles a body", 1);
         yield return ("coasting unseen", "Exact, coasting and not looked at, together", "Exact, three moments, together", 1);
     }
 }

@@ -25,6 +25,18 @@ internal static class Suite
     public static IReadOnlyList<Measurement> ByRule() =>
         [.. Rules.All.Select(rule => Alone("free body by " + rule.Name, Body(rule.Name, new Vector3d(1, 2, 3))))];
 
+    /// <summary>A torque, constant and swinging, by the exact rule and by the classical one.</summary>
+    public static IReadOnlyList<Measurement> Torques() =>
+    [
+        .. from rule in new[] { "Exact", "RungeKutta4" }
+           from torque in new[]
+           {
+               ("a constant torque", Torque.Constant(new Vector3d(0.1, 0.2, 0.3))),
+               ("a torque by sin t", new Torque(new Vector3d(0, 0, 0.1), new Vector3d(0.3, 0, 0), new Vector3d(0, 0.2, 0), 1, inBody: false)),
+           }
+           select Alone($"{rule}, {torque.Item1}", Body(rule, new Vector3d(1, 2, 3)).With(torque.Item2)),
+    ];
+
     /// <summary>Each effect on, in the scene but idle, and absent.</summary>
     public static IReadOnlyList<Measurement> Effects()
     {

@@ -28,6 +28,7 @@ internal static class BenchCommand
         [
             ("One body, turning freely", Suite.ByRule()),
             ("The lab's step", Suite.ByHand()),
+            ("Torques", Suite.Torques()),
             ("Effects", Suite.Effects()),
             ("What a body is", Suite.Shapes()),
             ("Damped to nothing", Suite.Denormals()),
@@ -45,10 +46,10 @@ internal static class BenchCommand
             {
                 int before = i;
                 bool isLong = groups[i].Group[0].Bodies > 10_000;
-                Measurement.Take(groups[i].Group, isLong ? 25 : isQuick ? 50 : 250, isLong ? 0.02 : 0.001, done => report((before + done) / (groups.Length + 2)));
+                Measurement.Take(groups[i].Group, isLong ? 25 : isQuick ? 250 : 1250, isLong ? 0.02 : 0.0002, done => report((before + done) / (groups.Length + 2)));
             }
 
-            onMono = OnMono.Take(isQuick ? 5 : 25, done => report((groups.Length + done) / (groups.Length + 2)));
+            onMono = OnMono.Take(isQuick ? 50 : 250, done => report((groups.Length + done) / (groups.Length + 2)));
             others = OtherEngines.Take(groups.SelectMany(group => group.Group), isQuick ? 5 : 25);
         });
 
@@ -77,7 +78,9 @@ internal static class BenchCommand
             Terminal.Write(others.Table());
 
         csv.Append(onMono.Csv());
-        Terminal.Write(Ratios.Table([.. groups.SelectMany(group => group.Group)]));
+        Measurement[] all = [.. groups.SelectMany(group => group.Group)];
+        Terminal.Write(Ratios.Table(all));
+        Terminal.WriteLine(Ratios.Quiet(all));
         using Files files = new(folder, file, []);
         files.Write(Path.GetFileName(file), temporary => File.WriteAllText(temporary, csv.ToString(), new UTF8Encoding(false)));
         if (others.Rows.Count > 0)

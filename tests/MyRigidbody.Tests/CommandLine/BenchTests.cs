@@ -25,10 +25,26 @@ public sealed class BenchTests
     public void Every_ratio_is_of_things_that_are_measured()
     {
         // a name that nothing has would silently leave a ratio out
-        string[] measured = [.. new[] { Suite.ByRule(), Suite.ByHand(), Suite.Effects(), Suite.Shapes(), Suite.Denormals(), Suite.Many(1000), LivingSuite.Calls() }
+        string[] measured = [.. new[] { Suite.ByRule(), Suite.ByHand(), Suite.Torques(), Suite.Effects(), Suite.Shapes(), Suite.Denormals(), Suite.Many(1000), LivingSuite.Calls() }
             .SelectMany(group => group).Select(measurement => measurement.What)];
         Assert.That(Ratios.Names.Where(name => !measured.Contains(name)), Is.Empty);
         Assert.That(Ratios.Names.Count(), Is.GreaterThan(20));
+    }
+
+    [Test]
+    public void Run_says_whether_a_measurement_came_out_as_itself()
+    {
+        Measurement first = Spinning("Exact, no effect", 100), other = Spinning("Exact, no effect, again", 10000);
+        Measurement.Take([first, other], 3, 1e-4, _ => { });
+
+        Assert.That(Ratios.Quiet([first, other]), Does.Contain("THE RUN IS NOISY"));
+        Assert.That(Ratios.Quiet([first, first with { What = other.What }]), Does.Contain("0.0 % off; the machine was quiet"));
+
+        static Measurement Spinning(string what, int turns) => new(what, 1, 1, () => count =>
+        {
+            for (; count > 0; count--)
+                Thread.SpinWait(turns);
+        });
     }
 
     [Test]
