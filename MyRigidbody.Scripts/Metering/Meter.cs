@@ -24,6 +24,9 @@ public static class Meter
     /// <summary>How long one message may take, and all of a script, ms; no matter how long where the count alone decides.</summary>
     internal static (long Message, long Script)? MostTime { get; set; }
 
+    /// <summary>The line of the statement that was begun last; the script sets it.</summary>
+    public static int Here;
+
     /// <summary>Why the script was stopped; null while it was not.</summary>
     internal static Stopped? Reason { get; private set; }
 
@@ -45,7 +48,7 @@ public static class Meter
     internal static void Reset()
     {
         Reason = null;
-        Line = 0;
+        Line = Here = 0;
         _leftInAll = PerScript;
         _leftOfMessage = PerMessage;
         _left = 0;

@@ -10,7 +10,22 @@ namespace RigidBodyDynamics.StudentScripts.Metering;
 /// </summary>
 internal sealed class MeterRewriter(SemanticModel model) : CSharpSyntaxRewriter
 {
-    private static readonly ExpressionSyntax MeterTick = SyntaxFactory.ParseExpression("global::RigidBodyDynamics.StudentScripts.Metering.Meter.Tick");
+    private static readonly ExpressionSyntax
+        MeterTick = SyntaxFactory.ParseExpression("global::RigidBodyDynamics.StudentScripts.Metering.Meter.Tick"),
+        MeterHere = SyntaxFactory.ParseExpression("global::RigidBodyDynamics.StudentScripts.Metering.Meter.Here");
+
+    // each statement says where it is, for what is said of one that throws
+    public override SyntaxNode? VisitBlock(BlockSyntax node) =>
+        ((BlockSyntax)base.VisitBlock(node)!) is var n ? n.WithStatements(Marked(n.Statements, node.Statements)) : null;
+
+    public override SyntaxNode? VisitSwitchSection(SwitchSectionSyntax node) =>
+        ((SwitchSectionSyntax)base.VisitSwitchSection(node)!) is var n ? n.WithStatements(Marked(n.Statements, node.Statements)) : null;
+
+    public override SyntaxNode? VisitIfStatement(IfStatementSyntax node) =>
+        ((IfStatementSyntax)base.VisitIfStatement(node)!) is var n ? n.WithStatement(Marked(n.Statement, node.Statement)) : null;
+
+    public override SyntaxNode? VisitElseClause(ElseClauseSyntax node) =>
+        ((ElseClauseSyntax)base.VisitElseClause(node)!) is var n ? n.WithStatement(Marked(n.Statement, node.Statement)) : null;
 
     public override SyntaxNode? VisitForStatement(ForStatementSyntax node) =>
         ((ForStatementSyntax)base.VisitForStatement(node)!) is var n ? n.WithStatement(Ticking(n.Statement, node.Statement)) : null;
@@ -114,15 +129,23 @@ internal sealed class MeterRewriter(SemanticModel model) : CSharpSyntaxRewriter
     // a body that is one statement, or none, becomes a block on the same lines
     private static StatementSyntax Ticking(StatementSyntax body, StatementSyntax original) => body is BlockSyntax block
         ? block.WithStatements(block.Statements.Insert(0, Tick(original, ((BlockSyntax)original).OpenBraceToken.FullSpan.End)))
-        : SyntaxFactory.Block(Tick(original, original.FullSpan.Start), body);
+        : SyntaxFactory.Block(Tick(original, original.FullSpan.Start), Mark(original), body);
+
+    private static SyntaxList<StatementSyntax> Marked(SyntaxList<StatementSyntax> statements, SyntaxList<StatementSyntax> originals) =>
+        SyntaxFactory.List(statements.Zip(originals, (statement, original) => statement is LocalFunctionStatementSyntax ? [statement] : new[] { Mark(original), statement }).SelectMany(pair => pair));
+
+    private static StatementSyntax Marked(StatementSyntax statement, StatementSyntax original) =>
+        statement is BlockSyntax or IfStatementSyntax ? statement : SyntaxFactory.Block(Mark(original), statement);
+
+    private static ExpressionStatementSyntax Mark(StatementSyntax original) =>
+        SyntaxFactory.ExpressionStatement(SyntaxFactory.AssignmentExpression(SyntaxKind.SimpleAssignmentExpression, MeterHere, Line(original, original.SpanStart)));
 
     // says its line itself: not every runtime can tell the line of what it runs
-    private static ExpressionStatementSyntax Tick(SyntaxNode original, int position)
-    {
-        int line = original.SyntaxTree.GetText().Lines.GetLineFromPosition(position).LineNumber + 1;
-        ArgumentSyntax argument = SyntaxFactory.Argument(SyntaxFactory.LiteralExpression(SyntaxKind.NumericLiteralExpression, SyntaxFactory.Literal(line)));
-        return SyntaxFactory.ExpressionStatement(SyntaxFactory.InvocationExpression(MeterTick, SyntaxFactory.ArgumentList(SyntaxFactory.SingletonSeparatedList(argument))));
-    }
+    private static ExpressionStatementSyntax Tick(SyntaxNode original, int position) => SyntaxFactory.ExpressionStatement(SyntaxFactory.InvocationExpression(
+        MeterTick, SyntaxFactory.ArgumentList(SyntaxFactory.SingletonSeparatedList(SyntaxFactory.Argument(Line(original, position))))));
+
+    private static LiteralExpressionSyntax Line(SyntaxNode original, int position) => SyntaxFactory.LiteralExpression(
+        SyntaxKind.NumericLiteralExpression, SyntaxFactory.Literal(original.SyntaxTree.GetText().Lines.GetLineFromPosition(position).LineNumber + 1));
 
     private bool IsVoid(SyntaxNode method) => model.GetDeclaredSymbol(method) is IMethodSymbol { ReturnsVoid: true };
 

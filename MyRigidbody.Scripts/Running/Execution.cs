@@ -90,11 +90,11 @@ internal static class Execution
         return line is { } known ? placed.At(known) : placed;
     }
 
-    // the innermost line of the script
+    // the innermost line of the script; where the runtime cannot tell it, that of the statement that was begun last
     private static int? Line(Exception thrown) => new StackTrace(thrown, fNeedFileInfo: true).GetFrames()
         .Where(frame => frame.GetFileLineNumber() > 0 && StandIn.IsOfScript(frame.GetMethod()?.DeclaringType?.Assembly))
         .Select(frame => (int?)frame.GetFileLineNumber())
-        .FirstOrDefault();
+        .FirstOrDefault() ?? (OperatingSystem.IsBrowser() && Meter.Here > 0 ? Meter.Here : null);
 
     private static bool IsInLoopThatCatches(int? line, CompiledScript compiled)
     {

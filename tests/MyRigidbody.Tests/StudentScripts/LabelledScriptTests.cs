@@ -37,6 +37,8 @@ public sealed class LabelledScriptTests
         Assert.That(share, Text(label, "comments") == "full" ? Is.GreaterThan(0.85) : Is.LessThan(0.15)); // measured 0.89 and 0
     }
 
+    internal static IEnumerable<string> Files() => Labelled().Select(label => Text(label, "file"));
+
     private static IEnumerable<string> Mistakes(JsonElement label) => label.GetProperty("mistakes").EnumerateArray().Select(code => code.GetString()!);
 
     private static IEnumerable<string> Labels() => Labelled().Select(label => Text(label, "id"));
