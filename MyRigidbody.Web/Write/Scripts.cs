@@ -1,6 +1,4 @@
 using System.Runtime.InteropServices.JavaScript;
-using System.Text;
-using System.Text.Json;
 using System.Text.Json.Nodes;
 using Microsoft.CodeAnalysis;
 using RigidBodyDynamics.Judging;
