@@ -41,6 +41,7 @@ internal sealed class CoreCompilation
             new CSharpCompilationOptions(
                 OutputKind.DynamicallyLinkedLibrary,
                 optimizationLevel: OptimizationLevel.Release,
+                allowUnsafe: true, // the Core's SkipLocalsInit asks for it
                 deterministic: true,
                 concurrentBuild: false));
         _unchanged = Compile(_whole) ?? throw new InvalidOperationException("the Core does not compile: " + Errors(_whole));
