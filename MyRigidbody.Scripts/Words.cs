@@ -24,7 +24,7 @@ internal static class Words
         ["uses-rigidbody"] = ("Unity's own body does the work", "由 Unity 自带的刚体代为计算"),
         ["uses-library"] = ("a library does the work", "由现成的库代为计算"),
         ["uses-default-rigidbody"] = ("the motion of DefaultRigidbody is used", "使用了 DefaultRigidbody 的运动"),
-        ["uses-another-object"] = ("another object of the scene is looked up", "查找了场景中的其他物体"),
+        ["uses-another-object"] = ("another object of the scene is looked up", "查找了场景中的其他对象"),
     };
 
     public static Finding Forbidden(string code, string name) => Code(code, "only the engine and plain C#", name,
@@ -87,7 +87,7 @@ internal static class Words
             ? $"{message} asks for a Rigidbody, and there is none on the object; none is needed."
             : $"{message} throws {exception}.",
         code == "no-rigidbody"
-            ? $"{message} 需要 Rigidbody，而物体上没有，也不需要。"
+            ? $"{message} 需要 Rigidbody，而对象上没有，也不需要。"
             : $"{message} 抛出异常：{exception}。");
 
     public static Finding ClassName(string name) => new(Step.Name, "class-name", Compilation.Sources.ClassName, name,

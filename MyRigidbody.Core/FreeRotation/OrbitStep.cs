@@ -4,7 +4,7 @@ namespace RigidBodyDynamics
 {
     /// <summary>
     /// The numbers of a step of free rotation that are the same for every point of an orbit: S, c₁ = 1 − V1,
-    /// c₃ = 1 − V3 for the angular velocity, and 1/L², sin(ψ/2)/|L|, 1 − cos(ψ/2) for the attitude. By + − × ÷ √ alone.
+    /// c₃ = 1 − V3 for the angular velocity, and 1/L², sin(ψ/2)/|L|, 1 − cos(ψ/2) for the orientation. By + − × ÷ √ alone.
     /// </summary>
     /// <remarks>
     /// S' = c₁ c₃, c₁' = −α S c₃, c₃' = −β S c₁ (Jacobi's sn, cn, dn up to scale). ψ, the turn about L that is left

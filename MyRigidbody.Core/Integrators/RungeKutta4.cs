@@ -2,7 +2,7 @@ namespace RigidBodyDynamics
 {
     /// <summary>
     /// The classical Runge–Kutta rule of order 4, with the angular momentum held in world axes: L' = τ, so that without
-    /// a torque L is exact and only the attitude is approximated. For pushes that cannot be taken apart.
+    /// a torque L is exact and only the orientation is approximated. For pushes that cannot be taken apart.
     /// </summary>
     internal struct RungeKutta4 : IIntegrator
     {

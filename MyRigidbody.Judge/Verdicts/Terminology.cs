@@ -27,7 +27,7 @@ namespace RigidBodyDynamics.Judging
             [Step.AngularVelocity] = new Term("angular velocity", "角速度"),
             [Step.Position] = new Term("position", "位置"),
             [Step.Orientation] = new Term("orientation", "朝向"),
-            [Step.Damping] = new Term("damping", "衰减"),
+            [Step.Damping] = new Term("damping", "阻尼"),
             [Step.Given] = new Term("given code", "给定代码"),
             [Step.Code] = new Term("code", "代码"),
             [Step.Package] = new Term("package", "文件"),

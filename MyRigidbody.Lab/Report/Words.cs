@@ -68,15 +68,15 @@ internal static class Words
         ["cost.page"] = new("Accuracy against time", "精度与时间"),
         ["cost"] = new("What accuracy costs", "精度的代价"),
         ["cost.lead"] = new(
-            "Every point is a rule in steps of one length: how wrong it is at its worst over the whole motion, and how long it takes for a simulated second. Down and left is better. A rule's own drag and limits count as its error.",
-            "每个点是一种方法在一个步长下的结果：整个运动中的最大误差，以及模拟一秒所需的时间。越靠左下越好。方法自带的阻力和限制也计入误差。"),
+            "Every point is an integrator in steps of one length: how wrong it is at its worst over the whole motion, and how long it takes for a simulated second. Down and left is better. An integrator's own drag and limits count as its error.",
+            "每个点是一个积分器在一个步长下的结果：整个运动中的最大误差，以及模拟一秒所需的时间。越靠左下越好。积分器自带的阻尼和限制也计入误差。"),
         ["cost.origin"] = new("Compared with: {0}. Attainable in double: {1}.", "参照：{0}。双精度可达：{1}。"),
         ["cost.slider"] = new("the error you can bear", "可以接受的误差"),
-        ["cost.caption"] = new("Every rule in steps of about 1/50 s, and what an accuracy costs by it", "各方法在约 1/50 秒步长下的误差与耗时，以及达到各精度的代价"),
-        ["cost.rule"] = new("integrator", "方法"),
+        ["cost.caption"] = new("Every integrator in steps of about 1/50 s, and what an accuracy costs by it", "各积分器在约 1/50 秒步长下的误差与耗时，以及达到各精度的代价"),
+        ["cost.rule"] = new("integrator", "积分器"),
         ["cost.game"] = new("error at 1/50 s, rad or m", "1/50 秒时的误差，rad 或 m"),
         ["cost.step"] = new("ns a step", "每步纳秒"),
-        ["cost.lab"] = new("steps of the lab", "相当于实验方法的步数"),
+        ["cost.lab"] = new("steps of the lab", "相当于 LabEuler 的步数"),
         ["cost.to"] = new("to {0}, µs per s", "达到 {0}，每秒微秒"),
 
         ["frames.caption"] = new(
@@ -131,7 +131,7 @@ internal static class Words
         ["cost.point"] = new("{0}, steps of {1} s<br>error {2}, {3} µs a second", "{0}，步长 {1} s<br>误差 {2}，每秒 {3} µs"),
         ["cost.wanted"] = new("Below {0}:", "低于 {0}："),
         ["cost.best"] = new("{0} in steps of {1} s, {2} µs a simulated second, error {3}.", "{0}，步长 {1} s，模拟一秒 {2} µs，误差 {3}。"),
-        ["cost.none"] = new("none of these rules and steps.", "这些方法和步长都达不到。"),
+        ["cost.none"] = new("none of these integrators and steps.", "这些积分器和步长都达不到。"),
         ["cost.attainable"] = new("attainable in double", "双精度可达"),
         ["cost.others"] = new("other engines, 1/50 s", "其他引擎，1/50 秒"),
 

@@ -1,7 +1,7 @@
 export default {
   'web.link.copy': { en: 'Copy link', zh: '复制链接' },
   'web.link.copied': {
-    en: 'The link was copied: it opens this scene, rule and script as they are now ({0} characters).',
+    en: 'The link was copied: it opens this scene, integrator and script as they are now ({0} characters).',
     zh: '链接已复制：打开它就是现在的场景、积分器和脚本（{0} 个字符）。',
   },
   'web.link.address': {

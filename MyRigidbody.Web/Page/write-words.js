@@ -15,7 +15,7 @@ export const words = {
   'write.step.1': { en: '2 angular velocity', zh: '2 角速度' },
   'write.step.2': { en: '3 position', zh: '3 位置' },
   'write.step.3': { en: '4 orientation', zh: '4 朝向' },
-  'write.step.4': { en: '5 damping', zh: '5 衰减' },
+  'write.step.4': { en: '5 damping', zh: '5 阻尼' },
   'write.lamps': { en: 'The five steps', zh: '五个步骤' },
   'write.editor': { en: 'Your script MyRigidbody.cs', zh: '你的脚本 MyRigidbody.cs' },
   'write.keys': {

@@ -11,7 +11,7 @@ internal static class MarksTable
     /// <summary>The headings.</summary>
     public static readonly IReadOnlyList<string> Headings =
     [
-        "学号 id", "姓名 name", "分数 points", "1 速度 velocity", "2 角速度 angular velocity", "3 位置 position", "4 朝向 orientation", "5 衰减 damping",
+        "学号 id", "姓名 name", "分数 points", "1 速度 velocity", "2 角速度 angular velocity", "3 位置 position", "4 朝向 orientation", "5 阻尼 damping",
         "注释 commented", "语句 statements", "扣分 taken off", "结论 verdict", "待定 to settle", "说明 about", "文件 file",
     ];
 

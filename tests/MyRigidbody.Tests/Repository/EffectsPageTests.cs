@@ -93,14 +93,14 @@ public sealed class EffectsPageTests
             .Except([typeof(Nothing), typeof(Leap), typeof(Both<,>), typeof(Many), typeof(Loaded)])
             .Select(type => $"`{type.Name}`");
         string[] closed = [.. typeof(ICoast).Assembly.GetTypes().Where(type => type.IsValueType && typeof(ICoast).IsAssignableFrom(type)).Select(type => $"`{type.Name}`")];
-        string[] kicks = [.. typeof(IPush).Assembly.GetTypes().Where(type => type.IsValueType && typeof(IPush).IsAssignableFrom(type)).Select(type => $"`{type.Name}`")];
+        string[] pushes = [.. typeof(IPush).Assembly.GetTypes().Where(type => type.IsValueType && typeof(IPush).IsAssignableFrom(type)).Select(type => $"`{type.Name}`")];
         Dictionary<string, EffectTraits> traits = Pushes.All().Select(test => (IPush)test.Arguments[0]!)
             .GroupBy(push => $"`{push.GetType().Name}`")
             .ToDictionary(group => group.Key, group => group.Select(push => push.Traits).Aggregate((a, b) => a | b));
 
         Assert.That(rows.Select(cells => cells[1].Trim('`')).Where(name => name.Length > 0), Is.EquivalentTo(Names));
         Assert.That(rows.Select(cells => cells[2]), Is.EquivalentTo(structs));
-        Assert.That(rows.Select(cells => cells[5]), Is.EqualTo(rows.Select(cells => closed.Contains(cells[2]) ? kicks.Contains(cells[2]) ? "closed form; kick" : "closed form" : kicks.Contains(cells[2]) ? "kick" : cells[2] == "`Impulse`" ? "at once" : "all else by the mass of its time")));
+        Assert.That(rows.Select(cells => cells[5]), Is.EqualTo(rows.Select(cells => closed.Contains(cells[2]) ? pushes.Contains(cells[2]) ? "closed form; push" : "closed form" : pushes.Contains(cells[2]) ? "push" : cells[2] == "`Impulse`" ? "at once" : "all else by the mass of its time")));
         Assert.That(rows.Select(cells => cells[6]), Is.EqualTo(rows.Select(cells => Reads(traits.GetValueOrDefault(cells[2])))));
 
         static string Reads(EffectTraits traits) => string.Join(", ", Enum.GetValues<EffectTraits>()

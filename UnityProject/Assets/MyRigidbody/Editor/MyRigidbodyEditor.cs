@@ -28,7 +28,7 @@ namespace RigidBodyDynamics.Scripts.Editing
             serializedObject.ApplyModifiedProperties();
             MyRigidbody body = (MyRigidbody)target;
             if (body.GetComponent<Rigidbody>() != null)
-                EditorGUILayout.HelpBox("MyRigidbody and Rigidbody would both move this object; remove one of them.\n同一物体上不能同时有 MyRigidbody 和 Rigidbody，请删去一个。", MessageType.Error);
+                EditorGUILayout.HelpBox("MyRigidbody and Rigidbody would both move this object; remove one of them.\n同一对象上不能同时有 MyRigidbody 和 Rigidbody，请删去一个。", MessageType.Error);
 
             if (Application.isPlaying && body.IsReady)
                 EditorGUILayout.HelpBox(body.Explain(), MessageType.Info);

@@ -12,7 +12,7 @@ namespace RigidBodyDynamics.Scripts
     [AddComponentMenu("MyRigidbody/MyRigidbody")]
     public sealed partial class MyRigidbody : MonoBehaviour
     {
-        [Header("Body 物体")]
+        [Header("Body 刚体")]
         [Tooltip("Mass in kg, above zero.\n质量，单位千克，必须大于零。")]
         public double mass = 1;
 
@@ -26,7 +26,7 @@ namespace RigidBodyDynamics.Scripts
         public Vector3 startSpin;
 
         [Header("Rule 方法")]
-        [Tooltip("By which rule the body moves: a name of the catalogue. LabEuler is the lab's five steps, Exact turns a free body without error.\n积分方法的名称。LabEuler 为实验的五个步骤，Exact 对自由转动没有误差。")]
+        [Tooltip("By which rule the body moves: a name of the catalogue. LabEuler is the lab's five steps, Exact turns a free body without error.\n积分器的名称。LabEuler 为实验的五个步骤，Exact 对自由转动没有误差。")]
         public string integrator = "LabEuler";
 
         [Header("Damping 阻尼")]
