@@ -100,7 +100,9 @@ namespace RigidBodyDynamics
             double e1 = (2 * _w.X + d1) * d1, e2 = (2 * _w.Y + d2) * d2, e3 = (2 * _w.Z + d3) * d3;
             _energy += s.I1 * e1 + e2 + s.I3 * e3;
             _separation += s.M1 * e1 - s.M3 * e3;
-            RunningSum.Add(ref _w, ref _wLost, new Vector3d(d1, d2, d3));
+            RunningSum.Add(ref _w.X, ref _wLost.X, d1);
+            RunningSum.Add(ref _w.Y, ref _wLost.Y, d2);
+            RunningSum.Add(ref _w.Z, ref _wLost.Z, d3);
             _preparedFor = double.NaN;
         }
 
@@ -167,10 +169,9 @@ namespace RigidBodyDynamics
                 _count = (long)Math.Ceiling(Math.Min(MostParts, Math.Sqrt(rate) * Math.Abs(time) / LongestNearUnstable));
 
             _inverseEnergy = 0.5 / _energy;
-            Vector3dd w = new Vector3dd(_w, _wLost);
-            _orbit.Set(s, a1, a3, _separation, time / _count, w, isKept);
+            _orbit.Set(s, a1, a3, _separation, time / _count, _w, _wLost, isKept);
             while (_orbit.IsIllConditioned && _count < MostParts)
-                _orbit.Set(s, a1, a3, _separation, time / ++_count, w, isKept);
+                _orbit.Set(s, a1, a3, _separation, time / ++_count, _w, _wLost, isKept);
 
             // the last but one is more than the square of the angle between M and M₊ anywhere on this orbit
             _isShort = _count == 1 && rate * _orbit.S * _orbit.S <= ShortSquared && _orbit.C1 > 0 && _orbit.C3 > 0

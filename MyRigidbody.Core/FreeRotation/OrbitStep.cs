@@ -50,7 +50,7 @@ namespace RigidBodyDynamics
         /// The numbers for a step h of the orbit with these A₁, A₃ and Q (moments in units of I₂). Where the step is kept for more than
         /// once, with what they lack; it goes by w.
         /// </summary>
-        public void Set(TopShape shape, double a1, double a3, double q, double h, in Vector3dd w = default(Vector3dd), bool isKept = false)
+        public void Set(TopShape shape, double a1, double a3, double q, double h, in Vector3d w = default(Vector3d), in Vector3d wLost = default(Vector3d), bool isKept = false)
         {
             double alpha = shape.AlphaOfA3 * a3, beta = shape.BetaOfA1 * a1;
             double energy = a1 + a3, momentum = shape.I1 * a1 + shape.I3 * a3, inverse = 1 / momentum, f0 = energy * inverse;
@@ -89,10 +89,13 @@ namespace RigidBodyDynamics
             Versine = u * (0.5 - u * (F4 - u * (F6 - u * F8)));
             InverseSquare = inverse;
             SineLost = 0;
+            if (doublings == 0 && !isKept)
+                return;
+
             DoubleDouble length = doublings > 0 ? Math.Sqrt(momentum) : 0, exact = Sine;
             if (isKept)
             {
-                shape.Long.Invariants(w, out DoubleDouble longEnergy, out DoubleDouble square);
+                shape.Long.Invariants(new Vector3dd(w, wLost), out DoubleDouble longEnergy, out DoubleDouble square);
                 length = DoubleDouble.Sqrt(square);
                 exact = (1 - (DoubleDouble)bent) * (h * (0.5 * longEnergy / square + rest));
                 SineLost = (exact - Sine).High / Sine;

@@ -36,13 +36,13 @@ namespace RigidBodyDynamics
             DeltaOfQ = -d31 * d31 / (I1 * I3);
         }
 
-        public PrincipalAxesOrder Axes { get; }
+        public readonly PrincipalAxesOrder Axes;
 
         /// <summary>The same in twice the digits; made when it is first asked for.</summary>
         public LongTurn Long => _long ?? (_long = new LongTurn(Axes.Moments));
 
         /// <summary>One over the moments as given, in the order of the axes.</summary>
-        public Vector3d InverseMoments { get; }
+        public readonly Vector3d InverseMoments;
 
         /// <summary>I₁/I₂ and I₃/I₂; all below in units of I₂.</summary>
         public readonly double I1, I3;

@@ -130,20 +130,20 @@ namespace RigidBodyDynamics
             new Quaterniond(s * a.W, s * a.X, s * a.Y, s * a.Z);
 
         /// <summary>Takes a vector of the body to the world. The length of q must be 1.</summary>
-        /// <remarks>v + 2w (u × v) + 2u × (u × v), with u the vector part: 15 products and no square.</remarks>
+        /// <remarks>v + 2w (u × v) + 2u × (u × v), with u the vector part: 15 products and no square; number by number, because of Mono.</remarks>
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
         public Vector3d Rotate(Vector3d v)
         {
-            Vector3d t = 2 * Vector3d.Cross(Vector, v);
-            return v + W * t + Vector3d.Cross(Vector, t);
+            double x = 2 * (Y * v.Z - Z * v.Y), y = 2 * (Z * v.X - X * v.Z), z = 2 * (X * v.Y - Y * v.X);
+            return new Vector3d(v.X + W * x + (Y * z - Z * y), v.Y + W * y + (Z * x - X * z), v.Z + W * z + (X * y - Y * x));
         }
 
         /// <summary>Takes a vector of the world to the body. The length of q must be 1.</summary>
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
         public Vector3d RotateInverse(Vector3d v)
         {
-            Vector3d t = 2 * Vector3d.Cross(Vector, v);
-            return v - W * t + Vector3d.Cross(Vector, t);
+            double x = 2 * (Y * v.Z - Z * v.Y), y = 2 * (Z * v.X - X * v.Z), z = 2 * (X * v.Y - Y * v.X);
+            return new Vector3d(v.X - W * x + (Y * z - Z * y), v.Y - W * y + (Z * x - X * z), v.Z - W * z + (X * y - Y * x));
         }
 
         /// <summary>True if all components are equal; no tolerance, and q differs from −q.</summary>
