@@ -50,6 +50,9 @@ internal sealed record Measurement(string What, int Bodies, int Threads, Func<Ac
     /// </summary>
     public double RatioTo(Measurement other) => _times.Min() / other._times.Min();
 
+    /// <summary>How many times as long every second repeat took as the others between them; more or less than once where the machine was busy.</summary>
+    public double RatioToItself => _times.Where((_, i) => i % 2 == 1).Min() / _times.Where((_, i) => i % 2 == 0).Min();
+
     private void WarmUp(double seconds)
     {
         _steps = Make();

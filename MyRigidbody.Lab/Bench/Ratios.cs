@@ -47,14 +47,17 @@ internal static class Ratios
             all.FirstOrDefault(m => m.What == what && m.Bodies == bodies && m.Threads == threads);
     }
 
-    /// <summary>Whether the ratios can be believed: how far a measurement came from itself, taken a second time.</summary>
-    public static string Quiet(IReadOnlyList<Measurement> all)
+    /// <summary>
+    /// Whether the ratios can be believed: how far measurements came from themselves, every second repeat against those between. What does not stay
+    /// in a cache comes out a little otherwise on a quiet machine too, so one in twenty may be off.
+    /// </summary>
+    public static string Quiet(IEnumerable<(string What, double RatioToItself)> all)
     {
-        const double Most = 0.02;
-        Measurement again = all.First(m => m.What == "Exact, no effect, again"), first = all.First(m => m.What == "Exact, no effect");
-        double off = Math.Abs(again.RatioTo(first) - 1);
-        return FormattableString.Invariant($"a measurement to itself: {100 * off:0.0} % off; ")
-            + (off <= Most ? "the machine was quiet" : "THE RUN IS NOISY, its ratios say nothing; let nothing else run, and take it again");
+        const double Most = 0.02, Part = 0.05;
+        List<(string What, double Off)> off = [.. all.Select(m => (m.What, Off: Math.Abs(m.RatioToItself - 1))).OrderByDescending(m => m.Off)];
+        int far = off.Count(m => m.Off > Most);
+        return FormattableString.Invariant($"measurements to themselves: {off.Count - far} of {off.Count} within 2 %, the worst, {off[0].What}, {100 * off[0].Off:0.0} % off; ")
+            + (far <= Part * off.Count ? "the machine was quiet" : "THE RUN IS NOISY, its ratios say nothing; let nothing else run, and take it again");
     }
 
     private static IEnumerable<(string Title, string Of, string To)> Single()

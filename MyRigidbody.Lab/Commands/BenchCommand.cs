@@ -80,7 +80,7 @@ internal static class BenchCommand
         csv.Append(onMono.Csv());
         Measurement[] all = [.. groups.SelectMany(group => group.Group)];
         Terminal.Write(Ratios.Table(all));
-        Terminal.WriteLine(Ratios.Quiet(all));
+        Terminal.WriteLine(Ratios.Quiet(all.Select(m => (m.What, m.RatioToItself))));
         using Files files = new(folder, file, []);
         files.Write(Path.GetFileName(file), temporary => File.WriteAllText(temporary, csv.ToString(), new UTF8Encoding(false)));
         if (others.Rows.Count > 0)
