@@ -3,6 +3,7 @@ using System.CommandLine.Help;
 using System.Globalization;
 using System.Text;
 using RigidBodyDynamics.Lab.Commands;
+using RigidBodyDynamics.Lab.Languages;
 using RigidBodyDynamics.Lab.Output;
 
 namespace RigidBodyDynamics.Lab;
@@ -22,6 +23,7 @@ internal static class Program
     /// <summary>Runs a command line as the shell would.</summary>
     internal static int Run(string[] args)
     {
+        Language.Choose(args);
         RootCommand root = new("MyRigidbody moves rigid bodies and shows why Unity's own body moves differently.")
         {
             CompareCommand.Create(),
@@ -35,7 +37,9 @@ internal static class Program
             GradeCommand.Create(),
             PackCommand.Create(),
             CheckCommand.Create(),
+            Language.Option(),
         };
+        Language.Describe(root);
         // with no command at all: the lab's scene, both bodies
         root.SetAction(_ => CompareCommand.Execute(Gallery.Lab, CompareCommand.DefaultFolder, CompareCommand.DefaultTolerance));
         // in a terminal of some columns the library cuts a text before its beginning
@@ -48,12 +52,13 @@ internal static class Program
         ParseResult parsed = root.Parse(args, new ParserConfiguration { ResponseFileTokenReplacer = null });
         if (parsed.Errors.Count > 0)
         {
-            return Refuse(OneLine(parsed.Errors.Select(error => error.Message)) + " Try --help.");
+            return Refuse(OneLine(parsed.Errors.Select(error => Language.Say(OneLine([error.Message])))) + " Try --help.");
         }
 
         try
         {
-            return parsed.Invoke(new InvocationConfiguration { EnableDefaultExceptionHandler = false, ProcessTerminationTimeout = null });
+            InvocationConfiguration plain = new() { EnableDefaultExceptionHandler = false, ProcessTerminationTimeout = null };
+            return parsed.Action is HelpAction && Language.IsChinese ? Help(parsed, plain) : parsed.Invoke(plain);
         }
         catch (InputException refused)
         {
@@ -84,6 +89,20 @@ internal static class Program
         {
             return FallShort(shortfall.Message);
         }
+    }
+
+    /// <summary>The headings of the help are the library's own, and in English.</summary>
+    private static int Help(ParseResult parsed, InvocationConfiguration configuration)
+    {
+        using StringWriter help = new();
+        configuration.Output = help;
+        int code = parsed.Invoke(configuration);
+        foreach (string line in help.ToString().TrimEnd().Split('\n'))
+        {
+            Terminal.WriteLine(line.TrimEnd());
+        }
+
+        return code;
     }
 
     private static int FallShort(string line)

@@ -1,6 +1,7 @@
 using System.CommandLine;
 using RigidBodyDynamics.Judging;
 using RigidBodyDynamics.Lab.Checking;
+using RigidBodyDynamics.Lab.Languages;
 using RigidBodyDynamics.Lab.Output;
 using RigidBodyDynamics.Lab.Report;
 using RigidBodyDynamics.StudentScripts;
@@ -14,15 +15,13 @@ internal static class CheckCommand
     {
         Argument<string> script = new("SCRIPT") { Description = "the script, MyRigidbody.cs; what it names in files beside it is compiled along" };
         Option<string?> output = new("--out") { Description = "folder for report.html: the findings, and the script moving beside the reference and Unity's body", HelpName = "DIR" };
-        Option<string?> language = new("--lang") { Description = "language of the sentences; that of the system if absent", HelpName = "LANG" };
-        language.AcceptOnlyFromAmong("en", "zh");
         Option<bool> json = new("--json") { Description = "as JSON, in both languages" };
         Option<bool> watch = new("--watch") { Description = "again whenever the file is saved, until Ctrl-C" };
-        Command command = new("check", "Which of the lab's five steps a script has right, and what is off in the others") { script, output, language, json, watch };
+        Command command = new("check", "Which of the lab's five steps a script has right, and what is off in the others") { script, output, json, watch };
         command.SetAction(parsed => Execute(
             parsed.GetValue(script)!,
             parsed.GetValue(output),
-            parsed.GetValue(language) is { } chosen ? chosen == "zh" : Locale.IsChinese,
+            Language.IsChinese,
             parsed.GetValue(json),
             parsed.GetValue(watch)));
         return command;

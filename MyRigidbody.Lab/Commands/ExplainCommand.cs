@@ -2,6 +2,7 @@ using System.CommandLine;
 using System.Globalization;
 using System.Text.Json;
 using RigidBodyDynamics.Lab.Explain;
+using RigidBodyDynamics.Lab.Languages;
 using RigidBodyDynamics.Lab.Output;
 
 namespace RigidBodyDynamics.Lab.Commands;
@@ -110,7 +111,7 @@ internal static class ExplainCommand
             List<string> lines = [$"{names}, by {Plan.Rule.Name}"];
             foreach (StretchPlan stretch in Plan.Stretches.Take(MostStretches))
             {
-                lines.Add($"  {Explanation.Time(stretch)}: {string.Join(", ", Explanation.Parts(stretch))}"
+                lines.Add($"  {Language.Say(Explanation.Time(stretch))}{(Language.IsChinese ? "：" : ": ")}{string.Join(Language.IsChinese ? "，" : ", ", Explanation.Parts(stretch).Select(Language.Say))}"
                     + (Explanation.Coasts(stretch) ? "; computed when somebody looks" : string.Empty));
             }
 
@@ -122,7 +123,7 @@ internal static class ExplainCommand
 
             foreach (Saving saving in Savings)
             {
-                lines.Add($"    {saving.Omission.What} ({saving.Omission.Why})"
+                lines.Add($"    {Language.Say(saving.Omission.What)}{(Language.IsChinese ? "：" : " (")}{Language.Say(saving.Omission.Why)}{(Language.IsChinese ? "" : ")")}"
                     + (double.IsNaN(saving.With) ? string.Empty : $"; saves {Short(saving.Nanoseconds)} ns of {Short(saving.With)} ns a step, measured"));
             }
 

@@ -5,6 +5,7 @@ using RigidBodyDynamics.Lab.Grading.Judging;
 using RigidBodyDynamics.Lab.Grading.Marks;
 using RigidBodyDynamics.Lab.Grading.Pages;
 using RigidBodyDynamics.Lab.Grading.Students;
+using RigidBodyDynamics.Lab.Languages;
 using RigidBodyDynamics.Lab.Output;
 using RigidBodyDynamics.StudentScripts;
 
@@ -72,7 +73,7 @@ internal static class GradeCommand
             Terminal.WriteLine($"nothing handed in: {string.Join(", ", all.Missing.Select(student => $"{student.Id} {student.Name}".Trim()))}");
 
         foreach ((string place, Finding finding) in all.Passed)
-            Terminal.Note($"{place}: {finding.English}");
+            Terminal.Note($"{place}: {(Language.IsChinese ? finding.Chinese : finding.English)}");
 
         foreach (string file in all.Unused)
             Terminal.Note($"--marks: there is no submission {file}");

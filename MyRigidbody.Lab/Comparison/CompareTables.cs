@@ -1,4 +1,5 @@
 using System.Globalization;
+using RigidBodyDynamics.Lab.Languages;
 using RigidBodyDynamics.Lab.Output;
 
 namespace RigidBodyDynamics.Lab.Comparison;
@@ -111,7 +112,7 @@ internal static class CompareTables
     private static string Makers(IReadOnlyList<RuleShare> shares, Func<RuleShare, double> of, double whole)
     {
         string[] makers = [.. shares.Where(share => Math.Abs(of(share)) >= 0.01 * whole && whole > 0)
-            .Select(share => $"{share.Difference.Name} {Percent(of(share), whole)}")];
+            .Select(share => $"{Language.Say(share.Difference.Name)} {Percent(of(share), whole)}")];
         return makers.Length > 0 ? ": " + string.Join(", ", makers) + "." : ".";
     }
 

@@ -1,4 +1,5 @@
 using System.Text;
+using RigidBodyDynamics.Lab.Languages;
 using Spectre.Console;
 using Spectre.Console.Rendering;
 
@@ -6,7 +7,7 @@ namespace RigidBodyDynamics.Lab.Output;
 
 /// <summary>
 /// Where people read: results on standard output, errors and progress on standard error. Nothing else in the program writes
-/// there, and every text passes <see cref="Visible"/>.
+/// there, and every text passes <see cref="Language"/> and <see cref="Visible"/>.
 /// </summary>
 internal static class Terminal
 {
@@ -15,10 +16,10 @@ internal static class Terminal
     private const int LongestError = 1000;
 
     /// <summary>A line, however long.</summary>
-    public static void WriteLine(string line = "") => Console.Out.WriteLine(Visible.Line(line));
+    public static void WriteLine(string line = "") => Console.Out.WriteLine(Visible.Line(Language.Say(line)));
 
     /// <summary>A text of one paragraph, broken between words where the terminal is too narrow for it.</summary>
-    public static void WriteText(string text) => Draw(new Text(Visible.Line(text) + Environment.NewLine));
+    public static void WriteText(string text) => Draw(new Text(Visible.Line(Language.Say(text)) + Environment.NewLine));
 
     /// <summary>A table.</summary>
     public static void Write(TextTable table) => Draw(table.Drawn);
@@ -27,10 +28,10 @@ internal static class Terminal
     public static void WriteJson(string json) => Console.Out.WriteLine(Visible.Json(json));
 
     /// <summary>What is wrong, in one line.</summary>
-    public static void Error(string line) => Console.Error.WriteLine("error: " + Visible.Line(line, LongestError));
+    public static void Error(string line) => Console.Error.WriteLine(Lead("error:") + Visible.Line(Language.Say(line), LongestError));
 
     /// <summary>What the user should know, in one line.</summary>
-    public static void Note(string line) => Console.Error.WriteLine("note: " + Visible.Line(line, LongestError));
+    public static void Note(string line) => Console.Error.WriteLine(Lead("note:") + Visible.Line(Language.Say(line), LongestError));
 
     /// <summary>Does long work; a bar on a terminal, silence in a pipe.</summary>
     /// <param name="what">What is being done.</param>
@@ -46,10 +47,13 @@ internal static class Terminal
         IAnsiConsole error = AnsiConsole.Create(new AnsiConsoleSettings { Out = new AnsiConsoleOutput(Console.Error) });
         error.Progress().AutoClear(true).Start(context =>
         {
-            ProgressTask task = context.AddTask(Markup.Escape(Visible.Line(what)), maxValue: 1);
+            ProgressTask task = context.AddTask(Markup.Escape(Visible.Line(Language.Say(what))), maxValue: 1);
             work(done => task.Value = done);
         });
     }
+
+    // the Chinese colon is as wide as one with its blank
+    private static string Lead(string word) => Language.IsChinese ? Language.Say(word) : word + " ";
 
     private static void Draw(IRenderable what)
     {

@@ -1,3 +1,4 @@
+using RigidBodyDynamics.Lab.Languages;
 using Spectre.Console;
 using Spectre.Console.Rendering;
 
@@ -13,7 +14,7 @@ internal sealed class TextTable
     {
         foreach (string heading in headings)
         {
-            _table.AddColumn(new TableColumn(new Text(Visible.Line(heading), new Style(decoration: Decoration.Bold))));
+            _table.AddColumn(new TableColumn(new Text(Visible.Line(Language.Say(heading)), new Style(decoration: Decoration.Bold))));
         }
     }
 
@@ -32,7 +33,7 @@ internal sealed class TextTable
     }
 
     /// <summary>A row, with a text for every column.</summary>
-    public void AddRow(params IEnumerable<string> cells) => _table.AddRow(cells.Select(cell => new Text(Visible.Line(cell))));
+    public void AddRow(params IEnumerable<string> cells) => _table.AddRow(cells.Select(cell => new Text(Visible.Line(Language.Say(cell)))));
 
     /// <summary>What is drawn.</summary>
     internal IRenderable Drawn => _table;

@@ -27,6 +27,8 @@ internal sealed record LabProcess(int ExitCode, string Output, string Error)
             start.ArgumentList.Add(argument);
         }
 
+        // whoever runs the tests may read Chinese
+        start.Environment["LC_ALL"] = "C";
         foreach ((string name, string value) in environment)
         {
             start.Environment[name] = value;

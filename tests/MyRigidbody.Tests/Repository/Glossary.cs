@@ -1,4 +1,5 @@
 using System.Text.RegularExpressions;
+using RigidBodyDynamics.Lab.Languages;
 
 namespace RigidBodyDynamics.Tests.Repository;
 
@@ -16,14 +17,15 @@ internal static partial class Glossary
         .Select(line => line.Trim()[1..^1].Split('|', StringSplitOptions.TrimEntries))
         .Where(row => row.Length == columns && row[1] is not ("中文" or "but"));
 
-    /// <summary>Of C#, two literals one after the other, the second in Chinese; of the browser's page, what stands as en and zh.</summary>
+    /// <summary>Of C#, two literals one after the other, the second in Chinese; of the browser's page, what stands as en and zh; and what the command line prints.</summary>
     public static Translated[] Texts()
     {
         IEnumerable<Translated> inCode = Sources.SelectMany(folder => Tree.Files(folder, "*.cs"))
             .SelectMany(file => Literals().Matches(Tree.Text(file)).Select(match => new Translated(file, match.Groups[1].Value, match.Groups[2].Value)));
         IEnumerable<Translated> onPage = Tree.Files("MyRigidbody.Web/Page", "*words.js")
             .SelectMany(file => Entry().Matches(Tree.Text(file)).Select(match => new Translated(file, match.Groups[1].Value, match.Groups[2].Value)));
-        return [.. inCode.Where(text => Chinese().IsMatch(text.Chinese) && !Chinese().IsMatch(text.English)), .. onPage];
+        IEnumerable<Translated> printed = Sentences.Read().Select(pair => new Translated("MyRigidbody.Lab/Languages", pair.English, pair.Chinese));
+        return [.. inCode.Where(text => Chinese().IsMatch(text.Chinese) && !Chinese().IsMatch(text.English)), .. onPage, .. printed];
     }
 
     [GeneratedRegex(@"""((?:[^""\\]|\\.)*)""\s*,\s*[$@]*""((?:[^""\\]|\\.)*)""")]

@@ -20,9 +20,11 @@ public sealed partial class GlossaryTests
         string[] wrong = [.. from term in Terms
                              from text in texts
                              where term.Pattern.IsMatch(text.English) && !text.Chinese.Contains(term.Chinese, StringComparison.Ordinal)
+                             // a field or file of that name is called so in Chinese too
+                             where !term.Pattern.IsMatch(text.Chinese)
                              select $"{text.File}: {term.English} is {term.Chinese}: {text.English} | {text.Chinese}"];
 
-        Assert.That(texts, Has.Length.GreaterThan(500));
+        Assert.That(texts, Has.Length.GreaterThan(1000));
         Assert.That(Terms, Has.Length.GreaterThan(30));
         Assert.That(wrong, Is.Empty);
     }

@@ -1,6 +1,6 @@
 using System.Runtime.InteropServices;
 
-namespace RigidBodyDynamics.Lab.Checking;
+namespace RigidBodyDynamics.Lab.Languages;
 
 /// <summary>The language of the system; the program itself counts and sorts alike in all.</summary>
 internal static class Locale
