@@ -114,6 +114,17 @@ namespace RigidBodyDynamics
             }
         }
 
+        public void Show(in Group bodies, out QuaternionLanes orientation, out VectorLanes angularVelocity)
+        {
+            LongTurnLanes q = new LongTurnLanes(bodies, Q, QLost);
+            LongLanes scale = new LongLanes(bodies[Scale], Lanes.Zero), x = scale * new LongLanes(bodies[W], bodies[WLost]);
+            LongLanes y = scale * new LongLanes(bodies[W + 1], bodies[WLost + 1]), z = scale * new LongLanes(bodies[W + 2], bodies[WLost + 2]);
+            q.Rotate(ref x, ref y, ref z);
+            angularVelocity = _shape.Axes.ToWorld(new VectorLanes(x.High, y.High, z.High));
+            _shape.Axes.ToBody(ref q);
+            orientation = q.Rounded;
+        }
+
         /// <summary>Prepares where that is wanted. True if all bodies are to make one short turn.</summary>
         private bool Prepare(in Block bodies, double time)
         {

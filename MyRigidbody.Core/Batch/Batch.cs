@@ -119,6 +119,12 @@ namespace RigidBodyDynamics
             return state.HasFiniteSquares ? state : throw Lost(body.Place);
         }
 
+        public override int Read(BodyState[] states)
+        {
+            _parts.Read(_step, states);
+            return _parts.AnyFailed ? throw Lost() : Count;
+        }
+
         public override bool IsAsleep(Body body) => _crowd.IsAsleep(body.Place);
 
         public override bool IsDormant(Body body) => _coasts[_stretch] && _coasters.HasForm(body.Place) && !_loads.ContainsKey(body) && !Gives;

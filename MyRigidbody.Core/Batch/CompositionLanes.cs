@@ -91,6 +91,15 @@ namespace RigidBodyDynamics
             Compose(impulses, stages);
         }
 
+        [MethodImpl(Kernel.Compiled)]
+        public void Show(in Group bodies, out GroupState seen)
+        {
+            VectorLanes x = new VectorLanes(bodies, X);
+            _top.Show(bodies, out seen.Orientation, out seen.AngularVelocity);
+            seen.Position = _mass.CenterOfMass.IsZero ? x : x - seen.Orientation.Rotate(new VectorLanes(_mass.CenterOfMass));
+            seen.Velocity = new VectorLanes(bodies, V);
+        }
+
         private void Coast()
         {
             for (int i = _from, end; i < _to; i = end)

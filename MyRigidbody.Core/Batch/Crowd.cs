@@ -20,6 +20,13 @@ namespace RigidBodyDynamics
 
         public abstract BodyState StateOf(int place);
 
+        /// <summary>The states of bodies, each to the index of its handle.</summary>
+        public virtual void Read(int from, int to, Places places, BodyState[] states)
+        {
+            for (int i = from; i < to; i++)
+                states[places[i].Index] = StateOf(i);
+        }
+
         /// <summary>The first place from one to another whose body has run away; −1 if none has.</summary>
         public abstract int FirstLost(int from, int to);
 

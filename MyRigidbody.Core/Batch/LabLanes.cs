@@ -82,6 +82,14 @@ namespace RigidBodyDynamics
                 Run(Bodies.From(i, end = Math.Min(_to, Columns.EndOfBlock(i))), load, isTurned);
         }
 
+        public void Show(in Group bodies, out GroupState seen)
+        {
+            seen.Position = new VectorLanes(bodies, X);
+            seen.Orientation = new QuaternionLanes(bodies, Q);
+            seen.Velocity = new VectorLanes(bodies, V);
+            seen.AngularVelocity = new VectorLanes(bodies, W);
+        }
+
         [MethodImpl(Kernel.Compiled)]
         private void Run(in Block block, in Wrench load, bool isTurned)
         {

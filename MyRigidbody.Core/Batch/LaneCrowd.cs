@@ -1,5 +1,7 @@
 #if NET
+using System;
 using System.Collections.Generic;
+using System.Runtime.InteropServices;
 using Lanes = System.Numerics.Vector<double>;
 
 namespace RigidBodyDynamics
@@ -9,6 +11,17 @@ namespace RigidBodyDynamics
     {
         /// <summary>The bodies of the crowd.</summary>
         Columns Bodies { get; }
+
+        /// <summary>Bodies as they are seen.</summary>
+        void Show(in Group bodies, out GroupState seen);
+    }
+
+    /// <summary><see cref="BodyState"/> of several bodies.</summary>
+    internal struct GroupState
+    {
+        public VectorLanes Position;
+        public QuaternionLanes Orientation;
+        public VectorLanes Velocity, AngularVelocity;
     }
 
     /// <summary>A crowd in columns of numbers, neighbours in lanes. What a single body wants is done by its own rule.</summary>
@@ -56,6 +69,17 @@ namespace RigidBodyDynamics
         }
 
         public override BodyState StateOf(int place) => One(place, isAll: false).State;
+
+        public override void Read(int from, int to, Places places, BodyState[] states)
+        {
+            for (int i = from; i < to; i += Lanes.Count)
+            {
+                _lanes.Show(_now.From(i, i + Lanes.Count).At(0), out GroupState seen);
+                ReadOnlySpan<double> numbers = MemoryMarshal.Cast<GroupState, double>(MemoryMarshal.CreateReadOnlySpan(ref seen, 1));
+                for (int lane = 0; lane < Lanes.Count && i + lane < to; lane++)
+                    Write(numbers.Slice(lane), ref states[places[i + lane].Index]);
+            }
+        }
 
         /// <summary>
         /// A sum of squares is finite only if all that is summed is: so all bodies are looked at together, column by column, and one
@@ -126,6 +150,17 @@ namespace RigidBodyDynamics
 
         /// <summary>Carries what changes in a body to its row or from there: all of it, or what one sees of it.</summary>
         protected abstract void Carry(ref TBody body, Row row, bool isAll);
+
+        private static void Write(ReadOnlySpan<double> numbers, ref BodyState state)
+        {
+            state.Position = new Vector3d(numbers[0], numbers[Lanes.Count], numbers[2 * Lanes.Count]);
+            numbers = numbers.Slice(3 * Lanes.Count);
+            state.Orientation = new Quaterniond(numbers[0], numbers[Lanes.Count], numbers[2 * Lanes.Count], numbers[3 * Lanes.Count]);
+            numbers = numbers.Slice(4 * Lanes.Count);
+            state.Velocity = new Vector3d(numbers[0], numbers[Lanes.Count], numbers[2 * Lanes.Count]);
+            numbers = numbers.Slice(3 * Lanes.Count);
+            state.AngularVelocity = new Vector3d(numbers[0], numbers[Lanes.Count], numbers[2 * Lanes.Count]);
+        }
 
         private bool AreFinite(int from, int to)
         {

@@ -23,6 +23,7 @@ namespace RigidBodyDynamics
         private int _stretch;
         private bool _coasts, _looksAtStop;
         private long _first, _stop;
+        private BodyState[] _states;
 
         public Parts(BodyPlan plan, Crowd crowd, Coasters coasters, Retrace retrace, Places places)
         {
@@ -64,6 +65,14 @@ namespace RigidBodyDynamics
         /// <summary>Follows bodies that coast to a step, and looks at them.</summary>
         public void Follow(long step) => Do(Task.Follow, step);
 
+        /// <summary>Follows them, and gives the states of all that have one.</summary>
+        public void Read(long step, BodyState[] states)
+        {
+            _states = states;
+            Do(Task.Read, step);
+            _states = null;
+        }
+
         /// <summary>Keeps the bodies, which have been looked at, as they are at a step.</summary>
         public void Keep(long step) => Do(Task.Keep, step);
 
@@ -100,8 +109,10 @@ namespace RigidBodyDynamics
             else if (_coasts)
                 _coasters.Follow(stepper, from, whole, _stop);
 
-            if (_task == Task.Follow && _crowd.FirstLost(from, to) >= 0)
+            if ((_task == Task.Follow || _task == Task.Read) && _crowd.FirstLost(from, to) >= 0)
                 Fail(part);
+            else if (_task == Task.Read)
+                _crowd.Read(from, to, _places, _states);
         }
 
         private void Step(Stepper stepper, int part, int from, int to, int whole)
@@ -147,6 +158,7 @@ namespace RigidBodyDynamics
         {
             Step,
             Follow,
+            Read,
             Keep,
             GoBack,
         }

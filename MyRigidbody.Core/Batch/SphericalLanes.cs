@@ -80,6 +80,12 @@ namespace RigidBodyDynamics
             }
         }
 
+        public void Show(in Group bodies, out QuaternionLanes orientation, out VectorLanes angularVelocity)
+        {
+            orientation = new QuaternionLanes(bodies, Q);
+            angularVelocity = new VectorLanes(bodies, W);
+        }
+
         /// <summary>For all of them: the turn of one that is prepared already comes out as it is.</summary>
         private static void Prepare(in Group bodies, double time)
         {

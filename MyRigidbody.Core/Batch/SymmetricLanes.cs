@@ -109,6 +109,20 @@ namespace RigidBodyDynamics
             }
         }
 
+        public void Show(in Group bodies, out QuaternionLanes orientation, out VectorLanes angularVelocity)
+        {
+            LongTurnLanes q = new LongTurnLanes(bodies, Q, QLost);
+            VectorLanes momentum = new VectorLanes(bodies, Momentum);
+            LongLanes x = 0, y = 0, z = (LongLanes)_slip * new LongLanes(bodies[W3], Lanes.Zero), turn = 1 / (DoubleDouble)_across;
+            q.Rotate(ref x, ref y, ref z);
+            x = turn * new LongLanes(momentum.X, Lanes.Zero) + x;
+            y = turn * new LongLanes(momentum.Y, Lanes.Zero) + y;
+            z = turn * new LongLanes(momentum.Z, Lanes.Zero) + z;
+            angularVelocity = _axes.ToWorld(new VectorLanes(x.High, y.High, z.High));
+            _axes.ToBody(ref q);
+            orientation = q.Rounded;
+        }
+
         /// <summary>For all of them: the constants of one that is prepared already come out as they are.</summary>
         private void Prepare(in Group bodies, double time)
         {

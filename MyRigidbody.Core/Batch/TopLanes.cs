@@ -21,6 +21,9 @@ namespace RigidBodyDynamics
         void Kick(in Group bodies, in SharedImpulse impulse);
 
         void Damp(in Group bodies, in Decay decay);
+
+        /// <summary>Orientations and angular velocities as they are seen, to the bits of <see cref="IFreeTop.Show"/>.</summary>
+        void Show(in Group bodies, out QuaternionLanes orientation, out VectorLanes angularVelocity);
     }
 
     /// <summary>A top that has a form for several bodies at once.</summary>
@@ -61,6 +64,12 @@ namespace RigidBodyDynamics
         public void Kick(in Group bodies, in SharedImpulse impulse) { }
 
         public void Damp(in Group bodies, in Decay decay) { }
+
+        public void Show(in Group bodies, out QuaternionLanes orientation, out VectorLanes angularVelocity)
+        {
+            orientation = new QuaternionLanes(bodies, CompositionLanes.Columns);
+            angularVelocity = new VectorLanes(Vector3d.Zero);
+        }
     }
 }
 #endif

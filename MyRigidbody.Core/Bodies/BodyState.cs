@@ -29,12 +29,10 @@ namespace RigidBodyDynamics
         }
 
         /// <summary>At the origin, unturned, at rest.</summary>
-        public static BodyState AtRest =>
-            new BodyState(Vector3d.Zero, Quaterniond.Identity, Vector3d.Zero, Vector3d.Zero);
+        public static BodyState AtRest => new BodyState(Vector3d.Zero, Quaterniond.Identity, Vector3d.Zero, Vector3d.Zero);
 
         /// <summary>True if no number in it is infinite or NaN.</summary>
-        public bool IsFinite =>
-            Position.IsFinite && Orientation.IsFinite && Velocity.IsFinite && AngularVelocity.IsFinite;
+        public bool IsFinite => Position.IsFinite && Orientation.IsFinite && Velocity.IsFinite && AngularVelocity.IsFinite;
 
         /// <summary>
         /// False where a number is not finite or a velocity is so large that its square, which every energy has, is not: such a body

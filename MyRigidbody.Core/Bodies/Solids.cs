@@ -51,8 +51,7 @@ namespace RigidBodyDynamics
             double balls = mass * (4 * radius) / (4 * radius + 3 * height), cylinder = mass - balls;
             double out8 = 0.5 * height + 0.375 * radius;
             double along = cylinder * 0.5 * rr + balls * 0.4 * rr;
-            double across = cylinder * (0.25 * rr + height * height / 12)
-                + balls * ((0.4 - 9.0 / 64) * rr + out8 * out8);
+            double across = cylinder * (0.25 * rr + height * height / 12) + balls * ((0.4 - 9.0 / 64) * rr + out8 * out8);
             return Principal(mass, Along(axis, along, across));
         }
 

@@ -4,7 +4,7 @@ namespace RigidBodyDynamics
     /// Principal axes in the order a top wants them: cyclic, so that the handedness stays. The axes of the world are put in the
     /// same order, so components are moved and not computed with, and a tiny one beside a large one keeps all its digits.
     /// </summary>
-    internal readonly struct PrincipalAxesOrder
+    internal readonly partial struct PrincipalAxesOrder
     {
         private readonly Quaterniond _frame, _frameLost;
         private readonly int _first;

@@ -57,8 +57,7 @@ namespace RigidBodyDynamics
         public readonly double AlphaOfA3, BetaOfA1, DeltaOfQ;
 
         /// <summary>The axis to put first so that the middle moment is second.</summary>
-        private static int FirstOf(Vector3d i) =>
-            IsBetween(i.X, i.Y, i.Z) ? 0 : IsBetween(i.Y, i.Z, i.X) ? 1 : 2;
+        private static int FirstOf(Vector3d i) => IsBetween(i.X, i.Y, i.Z) ? 0 : IsBetween(i.Y, i.Z, i.X) ? 1 : 2;
 
         private static bool IsBetween(double a, double b, double c) => (a <= b && b <= c) || (a >= b && b >= c);
     }

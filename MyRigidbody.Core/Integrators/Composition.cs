@@ -204,7 +204,6 @@ namespace RigidBodyDynamics
                 _top.Kick(impulse.Torque, impulse.BodyTorque);
         }
 
-        private Vector3d Origin(Quaterniond orientation) =>
-            _isOffCenter ? _x - orientation.Rotate(_mass.CenterOfMass) : _x;
+        private Vector3d Origin(Quaterniond orientation) => _isOffCenter ? _x - orientation.Rotate(_mass.CenterOfMass) : _x;
     }
 }

@@ -85,8 +85,7 @@ namespace RigidBodyDynamics
             new RuleOf<TIntegrator>(name ?? typeof(TIntegrator).Name, order, keeps, Cost.SeveralTimesTheLab, about);
 
         private static Rule Listed<TIntegrator>(string name, int order, Keeps keeps, Cost cost, string about)
-            where TIntegrator : struct, IIntegrator =>
-            Listed(new RuleOf<TIntegrator>(name, order, keeps, cost, about));
+            where TIntegrator : struct, IIntegrator => Listed(new RuleOf<TIntegrator>(name, order, keeps, cost, about));
 
         private static Rule Listed(Rule rule)
         {

@@ -1,4 +1,5 @@
 using System;
+using System.Runtime.CompilerServices;
 
 namespace RigidBodyDynamics
 {
@@ -9,7 +10,7 @@ namespace RigidBodyDynamics
     /// </summary>
     internal readonly struct DoubleDouble
     {
-        private const long UpperHalf = -1L << 27;
+        internal const long UpperHalf = -1L << 27;
 
         /// <summary>The number, rounded to double.</summary>
         public readonly double High;
@@ -28,9 +29,8 @@ namespace RigidBodyDynamics
 
         public static DoubleDouble operator +(DoubleDouble a, DoubleDouble b)
         {
-            double sum = a.High + b.High, back = sum - a.High;
-            double error = (a.High - (sum - back)) + (b.High - back);
-            return new DoubleDouble(sum, error + (a.Low + b.Low));
+            double sum = a.High + b.High;
+            return new DoubleDouble(sum, Lost(a.High, b.High, sum) + (a.Low + b.Low));
         }
 
         public static DoubleDouble operator -(DoubleDouble a) => new DoubleDouble(-a.High, -a.Low);
@@ -39,10 +39,8 @@ namespace RigidBodyDynamics
 
         public static DoubleDouble operator *(DoubleDouble a, DoubleDouble b)
         {
-            // halves of 26 bits, whose products are exact; cut off by a mask, which cannot overflow
-            double product = a.High * b.High, a1 = Upper(a.High), a2 = a.High - a1, b1 = Upper(b.High), b2 = b.High - b1;
-            double error = ((a1 * b1 - product) + a1 * b2 + a2 * b1) + a2 * b2;
-            return new DoubleDouble(product, error + (a.High * b.Low + a.Low * b.High));
+            double product = a.High * b.High;
+            return new DoubleDouble(product, LostOf(a.High, b.High, product) + (a.High * b.Low + a.Low * b.High));
         }
 
         public static DoubleDouble operator /(DoubleDouble a, DoubleDouble b)
@@ -55,6 +53,37 @@ namespace RigidBodyDynamics
         {
             double root = Math.Sqrt(a.High);
             return root == 0 ? root : new DoubleDouble(root, (a - (DoubleDouble)root * root).High / (2 * root));
+        }
+
+        /// <summary>What a sum has rounded away.</summary>
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        internal static double Lost(double a, double b, double sum) => (a - (sum - (sum - a))) + (b - (sum - a));
+
+        /// <summary>What a product has rounded away.</summary>
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        internal static double LostOf(double a, double b, double product)
+        {
+            // halves of 26 bits, whose products are exact; cut off by a mask, which cannot overflow
+            double a1 = Upper(a), a2 = a - a1, b1 = Upper(b), b2 = b - b1;
+            return ((a1 * b1 - product) + a1 * b2 + a2 * b1) + a2 * b2;
+        }
+
+        /// <summary>a b − c d with what is rounded away, number by number.</summary>
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        internal static double Minor(double a, double aLow, double b, double bLow, double c, double cLow, double d, double dLow, out double low)
+        {
+            double ab = a * b, cd = c * d, all = ab - cd;
+            low = ((LostOf(a, b, ab) - LostOf(c, d, cd)) + Lost(ab, -cd, all)) + ((a * bLow + aLow * b) - (c * dLow + cLow * d));
+            return all;
+        }
+
+        /// <summary>A sum of a number and a product with what is rounded away, number by number.</summary>
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        internal static double Add(double sum, double sumLow, double a, double aLow, double b, double bLow, out double low)
+        {
+            double ab = a * b, all = ab + sum;
+            low = (LostOf(a, b, ab) + Lost(ab, sum, all)) + ((a * bLow + aLow * b) + sumLow);
+            return all;
         }
 
         private static double Upper(double x) => BitConverter.Int64BitsToDouble(BitConverter.DoubleToInt64Bits(x) & UpperHalf);

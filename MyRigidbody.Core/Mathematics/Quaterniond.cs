@@ -126,8 +126,7 @@ namespace RigidBodyDynamics
 
         /// <summary>Every component times s.</summary>
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
-        public static Quaterniond operator *(double s, Quaterniond a) =>
-            new Quaterniond(s * a.W, s * a.X, s * a.Y, s * a.Z);
+        public static Quaterniond operator *(double s, Quaterniond a) => new Quaterniond(s * a.W, s * a.X, s * a.Y, s * a.Z);
 
         /// <summary>Takes a vector of the body to the world. The length of q must be 1.</summary>
         /// <remarks>v + 2w (u × v) + 2u × (u × v), with u the vector part: 15 products and no square; number by number, because of Mono.</remarks>
@@ -147,8 +146,7 @@ namespace RigidBodyDynamics
         }
 
         /// <summary>True if all components are equal; no tolerance, and q differs from −q.</summary>
-        public static bool operator ==(Quaterniond a, Quaterniond b) =>
-            a.W == b.W && a.X == b.X && a.Y == b.Y && a.Z == b.Z;
+        public static bool operator ==(Quaterniond a, Quaterniond b) => a.W == b.W && a.X == b.X && a.Y == b.Y && a.Z == b.Z;
 
         /// <summary>True if any component differs; no tolerance.</summary>
         public static bool operator !=(Quaterniond a, Quaterniond b) => !(a == b);

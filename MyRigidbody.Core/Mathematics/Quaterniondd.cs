@@ -48,8 +48,26 @@ namespace RigidBodyDynamics
         public static Quaterniondd operator *(Quaterniondd a, Quaterniondd b) => new Quaterniondd(
             a.W * b.W - Vector3dd.Dot(a.Vector, b.Vector), a.W * b.Vector + b.W * a.Vector + Vector3dd.Cross(a.Vector, b.Vector));
 
-        /// <summary>Takes a vector of the body to the world: v + 2u × (w v + u × v)/|q|², for a length that may be off 1 by roundings.</summary>
-        public Vector3dd Rotate(Vector3dd v) =>
-            v + (4 + -2 * LengthSquared) * Vector3dd.Cross(Vector, W * v + Vector3dd.Cross(Vector, v));
+        /// <summary>
+        /// Takes a vector of the body to the world: v + 2u × (w v + u × v)/|q|², for a length that may be off 1 by roundings. Number by number, and
+        /// what is rounded away summed in one double: it is asked for whenever a state is seen.
+        /// </summary>
+        public Vector3dd Rotate(in Vector3dd v)
+        {
+            double w = W.High, x = Vector.X.High, y = Vector.Y.High, z = Vector.Z.High, wl = W.Low, xl = Vector.X.Low, yl = Vector.Y.Low, zl = Vector.Z.Low;
+            double a = v.X.High, b = v.Y.High, c = v.Z.High, al = v.X.Low, bl = v.Y.Low, cl = v.Z.Low;
+            double d = DoubleDouble.Minor(y, yl, c, cl, z, zl, b, bl, out double dl), ta = DoubleDouble.Add(d, dl, w, wl, a, al, out double tal);
+            double e = DoubleDouble.Minor(z, zl, a, al, x, xl, c, cl, out double el), tb = DoubleDouble.Add(e, el, w, wl, b, bl, out double tbl);
+            double f = DoubleDouble.Minor(x, xl, b, bl, y, yl, a, al, out double fl), tc = DoubleDouble.Add(f, fl, w, wl, c, cl, out double tcl);
+            d = DoubleDouble.Minor(y, yl, tc, tcl, z, zl, tb, tbl, out dl);
+            e = DoubleDouble.Minor(z, zl, ta, tal, x, xl, tc, tcl, out el);
+            f = DoubleDouble.Minor(x, xl, tb, tbl, y, yl, ta, tal, out fl);
+
+            // |q|² − 1
+            double n = DoubleDouble.Minor(x, xl, x, xl, -y, -yl, y, yl, out double nl), m = DoubleDouble.Minor(w, wl, w, wl, -z, -zl, z, zl, out double ml);
+            double all = m + n, off = (all - 1) + (DoubleDouble.Lost(m, n, all) + (nl + ml));
+            return new Vector3dd(
+                v.X + new DoubleDouble(2 * d, 2 * (dl - off * d)), v.Y + new DoubleDouble(2 * e, 2 * (el - off * e)), v.Z + new DoubleDouble(2 * f, 2 * (fl - off * f)));
+        }
     }
 }

@@ -109,7 +109,6 @@ namespace RigidBodyDynamics
         public override int GetHashCode() => (X.GetHashCode() * 31 + Y.GetHashCode()) * 31 + Z.GetHashCode();
 
         /// <summary>The components in brackets, shortest digits that read back to the same bits.</summary>
-        public override string ToString() =>
-            string.Format(CultureInfo.InvariantCulture, "({0:R}, {1:R}, {2:R})", X, Y, Z);
+        public override string ToString() => string.Format(CultureInfo.InvariantCulture, "({0:R}, {1:R}, {2:R})", X, Y, Z);
     }
 }

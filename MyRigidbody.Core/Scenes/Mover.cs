@@ -19,6 +19,9 @@ namespace RigidBodyDynamics
         /// <summary>The state of a body now.</summary>
         public abstract BodyState StateOf(Body body);
 
+        /// <summary>Gives the states of many, each to the index of its handle, and says how many they are.</summary>
+        public virtual int Read(BodyState[] states) => 0;
+
         public abstract bool IsAsleep(Body body);
 
         /// <summary>True while nothing is computed for a body until its state is read.</summary>

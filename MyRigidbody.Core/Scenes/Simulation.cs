@@ -106,6 +106,29 @@ namespace RigidBodyDynamics
             Leave(body);
         }
 
+        /// <summary>
+        /// The states of all bodies now, in the order of <see cref="Bodies"/>: those of <see cref="Body.State"/>, and where many are stored
+        /// together several at a time.
+        /// </summary>
+        /// <param name="states">Where they go; what is behind the last stays.</param>
+        /// <exception cref="StateOverflowException">A body has none; those that were read before it are there.</exception>
+        public void ReadStates(BodyState[] states)
+        {
+            if (Guard.NotNull(states, nameof(states)).Length < _bodies.Count)
+                throw Guard.Refused(nameof(states), states.Length, "must have room for the states of " + _bodies.Count + " bodies");
+
+            MayBeChanged();
+            int read = 0;
+            foreach (Mover crowd in _crowds)
+                read += crowd.Read(states);
+
+            for (int i = 0; i < _bodies.Count && read < _bodies.Count; i++)
+            {
+                if (_bodies[i].Mover is LoneMover alone)
+                    states[i] = alone.StateOf(_bodies[i]);
+            }
+        }
+
         /// <summary>All that a later <see cref="Restore"/> needs to go on from here to the same bits, and with the same bodies.</summary>
         public SavedSimulation Save()
         {

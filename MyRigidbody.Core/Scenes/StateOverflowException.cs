@@ -48,9 +48,7 @@ namespace RigidBodyDynamics
         private static string Why(BodyPlan plan, long step, bool isLoaded) => Guard.OneLine(string.Format(
             CultureInfo.InvariantCulture,
             "{0} has run away: no finite state at t = {1:R} s, after step {2}{3}",
-            plan.Rule.Name,
-            plan.Steps.StartOf(step + 1),
-            step,
+            plan.Rule.Name, plan.Steps.StartOf(step + 1), step,
             Acting(plan, step, isLoaded)));
 
         /// <summary>What acts in the step: one of them is likely to be to blame.</summary>

@@ -61,6 +61,9 @@ internal static class Crowding
             alone?.Step(look - alone.StepsDone);
             batch.Read(found);
             for (int i = 0; i < found.Length; i++)
+                Same(batch[i], found[i], $"body {i} of {starts.Length} at step {look}, by itself");
+
+            for (int i = 0; i < found.Length; i++)
                 Same(found[i], alone!.Bodies[i].State, $"body {i} of {starts.Length} at step {look}, {body.Mass.PrincipalMoments}");
         }
 

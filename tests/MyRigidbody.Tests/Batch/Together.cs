@@ -6,6 +6,7 @@ internal sealed class Together
     private readonly Simulation _simulation;
     private readonly BodyDescription _like;
     private readonly List<Body> _bodies = [];
+    private BodyState[] _read = [];
 
     public Together(BodyDescription body, TimeSteps steps, Omissions mayLeaveOut = Omissions.Coasting)
     {
@@ -51,15 +52,17 @@ internal sealed class Together
     /// <summary>The number of a body here.</summary>
     public int IdOf(Body body) => _bodies.IndexOf(body);
 
+    /// <summary>All at once.</summary>
     public void Read(BodyState[] states)
     {
-        for (int i = 0; i < _simulation.Bodies.Count; i++)
-            _ = _simulation.Bodies[i].State;
+        if (_read.Length < Count)
+            _read = new BodyState[2 * Count];
 
+        _simulation.ReadStates(_read);
         for (int i = 0; i < _bodies.Count; i++)
         {
             if (!_bodies[i].IsRemoved)
-                states[i] = _bodies[i].State;
+                states[i] = _read[_bodies[i].Index];
         }
     }
 
