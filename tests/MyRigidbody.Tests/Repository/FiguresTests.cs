@@ -61,6 +61,7 @@ public sealed class FiguresTests
     [TestCase("README.md", 3)]
     [TestCase("README.zh.md", 3)]
     [TestCase("docs/accuracy.md", 1)]
+    [TestCase("docs/accuracy.zh.md", 1)]
     public void Tables_of_measured_times_are_such_tables(string page, int tables) =>
         Assert.That(Page.Count(Tree.Text(page)), Is.EqualTo(tables));
 
