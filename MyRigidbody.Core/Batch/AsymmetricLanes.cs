@@ -164,8 +164,9 @@ namespace RigidBodyDynamics
                 & Vector.GreaterThan(held * scaled * scaled, new Lanes(AsymmetricTop.NoTurn));
             OrbitLanes orbit = default(OrbitLanes);
             Lanes rate = Vector.Max(_shape.AlphaOfA3 * a3, _shape.BetaOfA1 * a1);
-            Masks isOneByOne = isTurning & isKept;
-            if (!Vector.EqualsAll(isTurning & ~isKept, Masks.Zero))
+            Masks isFar = Vector.GreaterThan(held * held * (scaled * scaled), new Lanes(AsymmetricTop.OrdinarySquared) * (_i1 * a1 + _i3 * a3));
+            Masks isOneByOne = isTurning & (isKept | isFar);
+            if (!Vector.EqualsAll(isTurning & ~isOneByOne, Masks.Zero))
             {
                 // more than one turn is prepared for one by one, from what is there now, and so is what is kept
                 const double Longest = AsymmetricTop.LongestNearUnstable * AsymmetricTop.LongestNearUnstable;
@@ -174,8 +175,7 @@ namespace RigidBodyDynamics
                     & Vector.GreaterThan(rate * scaled * scaled, new Lanes(Longest))));
             }
 
-            Lanes shortSquared = new Lanes(AsymmetricTop.ShortSquared), swing = -_shape.DeltaOfQ * a1 * a3 * orbit.InverseSquare * (scaled * scaled);
-            Masks isShort = Vector.LessThanOrEqual(rate * orbit.S * orbit.S, shortSquared) & Vector.LessThanOrEqual(swing, shortSquared)
+            Masks isShort = Vector.LessThanOrEqual(rate * orbit.S * orbit.S, new Lanes(AsymmetricTop.ShortSquared))
                 & Vector.GreaterThan(orbit.C1, Lanes.Zero) & Vector.GreaterThan(orbit.C3, Lanes.Zero)
                 & Vector.LessThanOrEqual(orbit.Versine, new Lanes(AsymmetricTop.LargestVersine)), isHere = isOther & ~isOneByOne;
             Set(ref bodies[Energy], isHere, held);

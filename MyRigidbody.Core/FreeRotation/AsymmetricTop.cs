@@ -29,6 +29,8 @@ namespace RigidBodyDynamics
         // (sine of) the largest angle at which a correction may be made at the wrong end of a step
         internal const double ShortSquared = 0.25 * 0.25;
         internal const double Tiny = 1e-290;
+        // (rad of) the largest angle by which a body turns in a step that is made once and prepared for with the digits of a double
+        internal const double OrdinarySquared = 4.0 * 4;
         // 1/√(1 − ε) − 1 = Σ Yₙ εⁿ; what is left out is below 1e-17 for a short turn
         internal const double Y1 = 1 / 2.0, Y2 = 3 / 8.0, Y3 = 5 / 16.0, Y4 = 35 / 128.0, Y5 = 63 / 256.0, Y6 = 231 / 1024.0;
         internal const double Y7 = 429 / 2048.0, Y8 = 6435 / 32768.0;
@@ -168,14 +170,15 @@ namespace RigidBodyDynamics
             if (IsNearUnstableAxis(rate) && rate * time * time > LongestNearUnstable * LongestNearUnstable)
                 _count = (long)Math.Ceiling(Math.Min(MostParts, Math.Sqrt(rate) * Math.Abs(time) / LongestNearUnstable));
 
+            isKept |= _energy * _energy * (time * time) > OrdinarySquared * (s.I1 * a1 + s.I3 * a3);
             _inverseEnergy = 0.5 / _energy;
             _orbit.Set(s, a1, a3, _separation, time / _count, _w, _wLost, isKept);
             while (_orbit.IsIllConditioned && _count < MostParts)
                 _orbit.Set(s, a1, a3, _separation, time / ++_count, _w, _wLost, isKept);
 
-            // the last but one is more than the square of the angle between M and M₊ anywhere on this orbit
-            _isShort = _count == 1 && rate * _orbit.S * _orbit.S <= ShortSquared && _orbit.C1 > 0 && _orbit.C3 > 0
-                && -s.DeltaOfQ * a1 * a3 * _orbit.InverseSquare * (time * time) <= ShortSquared && _orbit.Versine <= LargestVersine;
+            // M turns in the body by less than the square root of the first: its fastest, squared, is −(α − β)/Q A₁ A₃/L², which is less than α
+            // where I₁ A₁ is less than its part of L², and less than β where I₃ A₃ is
+            _isShort = _count == 1 && rate * _orbit.S * _orbit.S <= ShortSquared && _orbit.C1 > 0 && _orbit.C3 > 0 && _orbit.Versine <= LargestVersine;
             if (_isShort)
                 Derive();
         }

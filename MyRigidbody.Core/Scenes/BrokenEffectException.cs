@@ -62,8 +62,6 @@ namespace RigidBodyDynamics
             CultureInfo.InvariantCulture,
             "must push with a finite force and torque, and {0} at t = {1:R} s, in step {2} ({3})",
             thrown == null ? "did not" : "threw " + thrown.GetType().Name + " (" + thrown.Message + ")",
-            now.Time,
-            now.Step,
-            effect.Motion));
+            now.Time, now.Step, effect.Motion));
     }
 }

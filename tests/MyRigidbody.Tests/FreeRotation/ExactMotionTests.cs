@@ -32,6 +32,17 @@ public sealed class ExactMotionTests
         Assert.That(worst, Is.LessThan(5));
     }
 
+    // a thousand radians a step: of the first, which is prepared for once, no digit may be left out either
+    [Test]
+    public void Spin_of_a_thousand_radians_a_step_is_as_exact_as_its_inputs_from_the_first_step_on()
+    {
+        double worst = 0;
+        SolvedScene.Run(ExactCase.Read("fast_spin"), "Exact", 0.1, (state, sample, floor) =>
+            worst = Math.Max(worst, Conserved.AngleBetween(state.Orientation, sample.Orientation) / floor));
+        TestContext.Out.WriteLine(FormattableString.Invariant($"{worst:g2} floors"));
+        Assert.That(worst, Is.LessThan(1));
+    }
+
     [Test]
     public void Body_that_cannot_exist_moves_as_the_equations_say()
     {

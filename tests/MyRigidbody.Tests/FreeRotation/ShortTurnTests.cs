@@ -45,6 +45,24 @@ public sealed class ShortTurnTests
         Assert.That(length, Is.LessThan(6e-16)); // measured 4.4e-16
     }
 
+    // so a turn that is short by the rate of the orbit is short by how far M goes, and nothing else need be asked
+    [Test]
+    public void Momentum_swings_no_faster_than_the_rate_of_its_orbit()
+    {
+        Random random = new(1);
+        double most = 0;
+        for (int i = 0; i < 10_000; i++)
+        {
+            // on the separatrix, I₁ A₁ and I₃ A₃ in the ratio of G₁ I₁ and G₃ I₃, both are the same: half of the bodies are near it
+            double small = random.NextDouble(), a = random.NextDouble(), near = i % 2 == 0 ? 1 + (1e-3 * (random.NextDouble() - 0.5)) : Math.Exp(6 * (random.NextDouble() - 0.5));
+            TopShape shape = new(new Vector3d(small, small + (a * (1 - small)), 1), Quaterniond.Identity);
+            double a1 = near * shape.G1, a3 = shape.G3, l2 = (shape.I1 * a1) + (shape.I3 * a3);
+            most = Math.Max(most, -shape.DeltaOfQ * a1 * a3 / l2 / Math.Max(shape.AlphaOfA3 * a3, shape.BetaOfA1 * a1));
+        }
+
+        Assert.That(most, Is.InRange(0.999, 1 + 1e-12)); // measured 1 - 2e-8
+    }
+
     // the longest step, s, whose turn is short: by the angle between M and M₊, or by ψ
     private static double Longest(Vector3d moments, Vector3d spin)
     {
@@ -56,8 +74,8 @@ public sealed class ShortTurnTests
             double h = 0.5 * (low + high);
             OrbitStep step = default;
             step.Set(shape, a1, a3, shape.M1 * spin.X * spin.X - shape.M3 * spin.Z * spin.Z, h);
-            double swing = Math.Sqrt(-shape.DeltaOfQ * a1 * a3 * step.InverseSquare) * h, flip = Math.Sqrt(Math.Max(shape.AlphaOfA3 * a3, shape.BetaOfA1 * a1)) * step.S;
-            bool isShort = Math.Max(swing, flip) <= 0.25 && step.Versine <= AsymmetricTop.LargestVersine;
+            double flip = Math.Sqrt(Math.Max(shape.AlphaOfA3 * a3, shape.BetaOfA1 * a1)) * step.S;
+            bool isShort = flip <= 0.25 && step.Versine <= AsymmetricTop.LargestVersine;
             (low, high) = isShort ? (h, high) : (low, h);
         }
 
