@@ -30,7 +30,7 @@ namespace RigidBodyDynamics.Judging
 
         private void Gain(Step step, Chain chain, bool ofForce)
         {
-            if (chain.Links.Count == 0)
+            if (chain.Links.Length == 0)
             {
                 _marks[step] = Mark.Unknown;
                 return;
@@ -100,7 +100,7 @@ namespace RigidBodyDynamics.Judging
 
         private void Damping()
         {
-            if (_explanation.Velocity.Links.Count == 0 && _explanation.AngularVelocity.Links.Count == 0)
+            if (_explanation.Velocity.Links.Length == 0 && _explanation.AngularVelocity.Links.Length == 0)
             {
                 _marks[Step.Damping] = Mark.Unknown;
             }

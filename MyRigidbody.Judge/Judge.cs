@@ -13,21 +13,27 @@ namespace RigidBodyDynamics.Judging
         public static Verdict Decide(Recording recording)
         {
             IReadOnlyList<Observation> frames = Observation.Of(recording);
-            // which time step a script means is seen in a part of the frames; what it does with it is then looked for in all
-            Motion part = new Motion(frames.Where(o => o.IsVaried || o.Index % 10 == 0).ToArray());
-            Explanation[] explanations = TimeStep.Candidates(Slopes(frames)).Select(step => new Explanation(part, step)).ToArray();
-            return new Conclusion(frames, new Explanation(new Motion(frames), Best(explanations).Step)).Verdict();
+            // what a script means, its time step and where it takes the gains from, is seen in a part of the frames; what it does is then looked for in all
+            Motion part = new Motion(frames.Where(o => o.IsVaried || o.Index % 10 == 0));
+            Explanation best = Best(TimeStep.Candidates(Slopes(frames)).Select(step => new Explanation(part, step)));
+            return new Conclusion(frames, best.In(new Motion(frames))).Verdict();
         }
 
         /// <summary>The first that leaves nothing off; else the first of those that leave the least.</summary>
-        private static Explanation Best(IReadOnlyCollection<Explanation> explanations)
+        private static Explanation Best(IEnumerable<Explanation> explanations)
         {
-            Explanation best = explanations.FirstOrDefault(explanation => explanation.LeastCost == 0 && explanation.Cost == 0);
-            if (best != null)
-                return best;
+            List<Explanation> all = new List<Explanation>();
             foreach (Explanation explanation in explanations)
             {
-                if (best == null || explanation.LeastCost < best.Cost && explanation.Cost < best.Cost)
+                if (explanation.LeastCost == 0 && explanation.Cost == 0)
+                    return explanation;
+                all.Add(explanation);
+            }
+
+            Explanation best = all[0];
+            foreach (Explanation explanation in all)
+            {
+                if (explanation.LeastCost < best.Cost && explanation.Cost < best.Cost)
                     best = explanation;
             }
 

@@ -26,7 +26,7 @@ namespace RigidBodyDynamics.Judging
 
         public double Length => Math.Sqrt(X * X + Y * Y + Z * Z + W * W);
 
-        public bool IsFinite => !double.IsNaN(X + Y + Z + W) && !double.IsInfinity(X + Y + Z + W);
+        public bool IsFinite => X + Y + Z + W - (X + Y + Z + W) == 0;
 
         public Orientation Conjugate => new Orientation(-X, -Y, -Z, W);
 

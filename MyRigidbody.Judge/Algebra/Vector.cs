@@ -21,7 +21,7 @@ namespace RigidBodyDynamics.Judging
         public double Length => Math.Sqrt(Dot(this, this));
 
         /// <summary>No component is infinite or not a number.</summary>
-        public bool IsFinite => !double.IsNaN(X + Y + Z) && !double.IsInfinity(X + Y + Z);
+        public bool IsFinite => X + Y + Z - (X + Y + Z) == 0;
 
         public static Vector operator +(Vector a, Vector b) => new Vector(a.X + b.X, a.Y + b.Y, a.Z + b.Z);
 

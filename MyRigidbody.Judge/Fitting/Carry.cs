@@ -44,45 +44,48 @@ namespace RigidBodyDynamics.Judging
             Carry formula = Best(chain, null, o => Turns.FirstOrder(o.Turn), Tolerance, MostTurned);
             if (formula.IsRight)
                 return formula;
-            Carry exact = Best(chain, "exact-turn", o => Turns.Exact(o.Turn), Tolerance, MostTurned);
-            if (exact.IsRight)
-                return exact;
-            Carry euler = Best(chain, "euler-turn", o => Turns.Euler(o.Turn), Tolerance, MostTurned);
-            return euler.IsRight ? euler : formula;
+            return Best(chain, "exact-turn", o => Turns.Exact(o.Turn), Tolerance, MostTurned, 1)
+                ?? Best(chain, "euler-turn", o => Turns.Euler(o.Turn), Tolerance, MostTurned, 1)
+                ?? formula;
         }
 
         private static double Tolerance(Observation o, Vector turn) => Turns.Tolerance(turn);
 
-        private static Carry Best(Chain chain, string form, Func<Observation, Vector> carried, Func<Observation, Vector, double> tolerance, double longest)
+        /// <summary>The reading that misses the fewest frames; null if all miss as many as <paramref name="tooMany"/>.</summary>
+        private static Carry Best(
+            Chain chain, string form, Func<Observation, Vector> carried, Func<Observation, Vector, double> tolerance, double longest, int tooMany = int.MaxValue)
         {
             Carry best = null;
             foreach (Reading reading in Reading.Of(chain))
             {
-                Carry carry = With(reading, form, chain, carried, tolerance, longest);
-                if (best == null || carry.Missed.Count < best.Missed.Count)
-                    best = carry;
-                if (best.IsRight)
+                best = With(reading, form, chain, carried, tolerance, longest, best?.Missed.Count ?? tooMany) ?? best;
+                if (best != null && best.IsRight)
                     break;
             }
 
             return best;
         }
 
-        private static Carry With(Reading reading, string form, Chain chain, Func<Observation, Vector> carried, Func<Observation, Vector, double> tolerance, double longest)
+        private static Carry With(
+            Reading reading, string form, Chain chain, Func<Observation, Vector> carried, Func<Observation, Vector, double> tolerance, double longest, int tooMany)
         {
             List<int> missed = new List<int>();
             int seen = 0;
-            for (int i = 0; i < chain.Links.Count; i++)
+            for (int i = 0; i < chain.Links.Length; i++)
             {
                 Observation o = chain.Links[i].At;
-                Vector expected = chain.Step.At(o) * reading.Velocity(chain, i);
-                if (!expected.IsFinite || expected.Length > longest || !o.Before.Position.IsFinite || !o.Before.Orientation.IsFinite)
+                double h = chain.Step.At(o);
+                Vector expected = h * reading.Velocity(chain, i);
+                double length = expected.Length;
+                if (!expected.IsFinite || length > longest || !o.Before.Position.IsFinite || !o.Before.Orientation.IsFinite)
                     continue;
-                seen += expected.Length > 1e-3 ? 1 : 0;
+                seen += length > 1e-3 ? 1 : 0;
                 // of a velocity that nearly stops, the factor of step 5 is not seen
-                double unseen = 0.03 * Math.Min(expected.Length, 2e-3 * chain.Step.At(o));
+                double unseen = 0.03 * Math.Min(length, 2e-3 * h);
                 if (!((carried(o) - expected).Length <= tolerance(o, expected) + unseen))
                     missed.Add(i);
+                if (missed.Count >= tooMany)
+                    return null;
             }
 
             return new Carry(reading, form, missed, seen);

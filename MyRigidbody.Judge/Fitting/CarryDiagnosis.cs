@@ -24,6 +24,9 @@ namespace RigidBodyDynamics.Judging
     /// <summary>The shape and the velocity that fit the most frames, and the coefficient in each.</summary>
     internal sealed class CarryDiagnosis
     {
+        /// <summary>A shape that comes later has to fit more by this share of the frames.</summary>
+        private const double BetterBy = 1e-3;
+
         public CarryDiagnosis(Chain chain, IEnumerable<CarryShape> shapes, Func<Observation, Vector, double> tolerance)
         {
             Share = -1;
@@ -68,9 +71,12 @@ namespace RigidBodyDynamics.Judging
 
         private void Try(Chain chain, CarryShape shape, Reading reading, Func<Observation, Vector, double> tolerance)
         {
+            // none can fit more
+            if (Share >= 1 - BetterBy)
+                return;
             Samples gains = new Samples(2e-3);
             int seen = 0;
-            for (int i = 0; i < chain.Links.Count; i++)
+            for (int i = 0; i < chain.Links.Length; i++)
             {
                 Observation o = chain.Links[i].At;
                 Vector velocity = reading.Velocity(chain, i), carried = shape.Carried(o);
@@ -83,7 +89,7 @@ namespace RigidBodyDynamics.Judging
             }
 
             double share = seen < 10 ? 0 : gains.Count / (double)seen;
-            if (share <= Share + 1e-3)
+            if (share <= Share + BetterBy)
                 return;
             Share = share;
             Shape = shape;

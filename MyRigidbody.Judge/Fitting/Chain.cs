@@ -1,5 +1,4 @@
 using System;
-using System.Collections.Generic;
 using System.Linq;
 
 namespace RigidBodyDynamics.Judging
@@ -11,19 +10,26 @@ namespace RigidBodyDynamics.Judging
 
         public Chain(Links links, TimeStep step, Order order)
         {
+            Reading = links.Number;
             Source = links.Source;
             Code = links.Code;
             Links = links.All;
             Step = step;
             Order = order;
-            _matches = Links.Select(link => new Match(link, step.At(link.At), order)).ToArray();
+            _matches = new Match[Links.Length];
+            for (int i = 0; i < Links.Length; i++)
+                _matches[i] = Links[i].IsPushed ? new Match(Links[i], step.At(Links[i].At), order) : links.Unpushed[i];
             ForgiveWhatWasKept();
             Resolve();
-            GainIsRight = _matches.All(m => m.Miss != Miss.Gain && m.Miss != Miss.Both);
-            DecayIsRight = _matches.All(m => m.Miss != Miss.Decay && m.Miss != Miss.Both);
+            GainIsRight = !IsOff(Miss.Gain) && !IsOff(Miss.Both);
+            DecayIsRight = !IsOff(Miss.Decay) && !IsOff(Miss.Both);
+            Cost = (GainIsRight ? 0 : 100000) + (DecayIsRight ? 0 : 100000) + _matches.Count(m => m.IsOff);
         }
 
-        public IReadOnlyList<Link> Links { get; }
+        public Link[] Links { get; }
+
+        /// <summary>The number of the reading of the gain.</summary>
+        public int Reading { get; }
 
         /// <summary>Where the force or the torque was taken from.</summary>
         public Source Source { get; }
@@ -42,7 +48,7 @@ namespace RigidBodyDynamics.Judging
         public bool DecayIsRight { get; }
 
         /// <summary>Steps that are off, then frames that are: the smaller the better.</summary>
-        public int Cost => (GainIsRight ? 0 : 100000) + (DecayIsRight ? 0 : 100000) + _matches.Count(m => m.IsOff);
+        public int Cost { get; }
 
         public Miss MissOf(int link) => _matches[link].Miss;
 
@@ -63,17 +69,20 @@ namespace RigidBodyDynamics.Judging
         {
             get
             {
-                double[] lengths = Links.Where((l, i) => l.At.IsVaried && (_matches[i].Miss == Miss.Decay || _matches[i].IsBlamed)).Select(l => l.After.Length).ToArray();
-                return lengths.Length > 5 && lengths.Max() - lengths.Min() < 1e-3 * lengths.Max();
+                int seen = 0;
+                double shortest = double.PositiveInfinity, longest = 0;
+                for (int i = 0; i < _matches.Length; i++)
+                {
+                    if ((_matches[i].Miss != Miss.Decay && !_matches[i].IsBlamed) || !Links[i].At.IsVaried)
+                        continue;
+                    double length = Links[i].After.Length;
+                    shortest = Math.Min(shortest, length);
+                    longest = Math.Max(longest, length);
+                    seen++;
+                }
+
+                return seen > 5 && longest - shortest < 1e-3 * longest;
             }
-        }
-
-        private bool IsOff(Miss kind, bool isVaried) => Enumerable.Range(0, _matches.Length).Any(i => _matches[i].Miss == kind && Links[i].At.IsVaried == isVaried);
-
-        private void Blame(Miss from, Miss to, double decayWhereFree)
-        {
-            foreach (Match match in _matches.Where(m => m.Miss == from))
-                match.Blame(to, decayWhereFree);
         }
 
         /// <summary>The first frame with one of the misses.</summary>
@@ -83,15 +92,53 @@ namespace RigidBodyDynamics.Judging
             return i < 0 ? (int?)null : i;
         }
 
+        private bool IsOff(Miss kind)
+        {
+            for (int i = 0; i < _matches.Length; i++)
+            {
+                if (_matches[i].Miss == kind)
+                    return true;
+            }
+
+            return false;
+        }
+
+        private bool IsOff(Miss kind, bool isVaried)
+        {
+            for (int i = 0; i < _matches.Length; i++)
+            {
+                if (_matches[i].Miss == kind && Links[i].At.IsVaried == isVaried)
+                    return true;
+            }
+
+            return false;
+        }
+
+        private void Blame(Miss from, Miss to, double decayWhereFree)
+        {
+            for (int i = 0; i < _matches.Length; i++)
+            {
+                if (_matches[i].Miss == from)
+                    _matches[i].Blame(to, decayWhereFree);
+            }
+        }
+
         /// <summary>
         /// A script that keeps R or 1/m from the frame before is right, and misses only where the experiment has changed the state under it.
         /// </summary>
         private void ForgiveWhatWasKept()
         {
-            if (Enumerable.Range(0, _matches.Length).Any(i => _matches[i].IsOff && !Links[i].At.IsSetAnew))
-                return;
-            foreach (Match match in _matches.Where(m => m.IsOff))
-                match.Forget();
+            for (int i = 0; i < _matches.Length; i++)
+            {
+                if (_matches[i].IsOff && !Links[i].At.IsSetAnew)
+                    return;
+            }
+
+            for (int i = 0; i < _matches.Length; i++)
+            {
+                if (_matches[i].IsOff)
+                    _matches[i].Forget();
+            }
         }
 
         /// <summary>
@@ -100,21 +147,42 @@ namespace RigidBodyDynamics.Judging
         /// </summary>
         private void Resolve()
         {
-            Match[] gaining = _matches.Where(m => m.HasTwo).ToArray();
-            bool isLinear = gaining.Count(m => m.FitsTwo) > 0.9 * gaining.Length;
-            double free = Coefficients.Median(_matches.Where((m, i) => m.Miss == Miss.Decay && m.IsFree && Links[i].At.IsVaried).Select(m => m.Decay));
-            if (double.IsNaN(free) || IsLimited)
-                free = Sheet.Decay;
-            foreach (Match match in gaining)
-                match.Resolve(isLinear, free);
+            bool isLinear = IsLinear();
+            double free = IsOff(Miss.Decay, true) && !IsLimited ? DecayWhereFree() : Sheet.Decay;
+            for (int i = 0; i < _matches.Length; i++)
+            {
+                if (_matches[i].HasTwo)
+                    _matches[i].Resolve(isLinear, free);
+            }
+
             if (IsLimited)
                 Blame(Miss.Decay, Miss.Gain, free);
-            bool gainIsOff = _matches.Any(m => m.Miss == Miss.Gain || m.Miss == Miss.Both), decayIsOff = IsOff(Miss.Decay, true) || IsOff(Miss.Both, true);
+            bool gainIsOff = IsOff(Miss.Gain) || IsOff(Miss.Both), decayIsOff = IsOff(Miss.Decay, true) || IsOff(Miss.Both, true);
             // what looks like another factor, in experiments alone where v and what is added to it have one direction, is not
             if (gainIsOff && !decayIsOff)
                 Blame(Miss.Decay, Miss.Gain, free);
             Blame(Miss.Either, gainIsOff || !(decayIsOff || IsOff(Miss.Decay, false)) ? Miss.Gain : Miss.Decay, free);
             Blame(Miss.Gain, Miss.Gain, free);
+        }
+
+        /// <summary>Nearly all frames that show two coefficients have no more than two.</summary>
+        private bool IsLinear()
+        {
+            int two = 0, fitted = 0;
+            for (int i = 0; i < _matches.Length; i++)
+            {
+                two += _matches[i].HasTwo ? 1 : 0;
+                fitted += _matches[i].HasTwo && _matches[i].FitsTwo ? 1 : 0;
+            }
+
+            return fitted > 0.9 * two;
+        }
+
+        /// <summary>The median factor where nothing pushes, which shows it alone.</summary>
+        private double DecayWhereFree()
+        {
+            double free = Coefficients.Median(_matches.Where((m, i) => m.Miss == Miss.Decay && m.IsFree && Links[i].At.IsVaried).Select(m => m.Decay));
+            return double.IsNaN(free) ? Sheet.Decay : free;
         }
     }
 }

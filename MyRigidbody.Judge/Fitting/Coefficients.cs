@@ -41,7 +41,8 @@ namespace RigidBodyDynamics.Judging
 
         public static double Median(IEnumerable<double> values)
         {
-            double[] sorted = values.Where(v => !double.IsNaN(v)).OrderBy(v => v).ToArray();
+            double[] sorted = values.Where(v => !double.IsNaN(v)).ToArray();
+            Array.Sort(sorted);
             return sorted.Length == 0 ? double.NaN : sorted[sorted.Length / 2];
         }
     }

@@ -93,7 +93,7 @@ namespace RigidBodyDynamics.Judging
         private static Samples Decays(Chain chain, Func<Link, bool> where)
         {
             Samples samples = new Samples(1e-4);
-            for (int i = 0; i < chain.Links.Count; i++)
+            for (int i = 0; i < chain.Links.Length; i++)
             {
                 if (!double.IsNaN(chain.DecayOf(i)) && chain.Links[i].Before.Length > 0.05 && where(chain.Links[i]))
                     samples.Add(chain.Links[i].At, chain.DecayOf(i));

@@ -1,5 +1,4 @@
 using System;
-using System.Collections.Generic;
 using System.Linq;
 
 namespace RigidBodyDynamics.Judging
@@ -15,6 +14,14 @@ namespace RigidBodyDynamics.Judging
             Step = step;
             _moving = Travel.Best(motion.Velocity, step, Carry.OfPosition);
             _turning = new Lazy<Travel>(() => Travel.Best(motion.AngularVelocity, step, Carry.OfOrientation));
+        }
+
+        private Explanation(Motion motion, Explanation part)
+        {
+            Step = part.Step;
+            _moving = Travel.Like(part._moving, motion.Velocity, Step, Carry.OfPosition);
+            Travel turning = Travel.Like(part._turning.Value, motion.AngularVelocity, Step, Carry.OfOrientation);
+            _turning = new Lazy<Travel>(() => turning);
         }
 
         public TimeStep Step { get; }
@@ -35,6 +42,9 @@ namespace RigidBodyDynamics.Judging
 
         /// <summary>What steps 1, 3 and 5 alone cost; ω has far more ways to be read than v, and need not be read where this is enough.</summary>
         public double LeastCost => Count(!Velocity.GainIsRight, !Position.IsRight, !_moving.IsDampedRightly) + 0.3 * Count(Position.Code != null);
+
+        /// <summary>What was found in a part of the frames, held against more of them.</summary>
+        public Explanation In(Motion motion) => new Explanation(motion, this);
 
         private static int Count(params bool[] conditions) => conditions.Count(c => c);
     }
@@ -59,23 +69,36 @@ namespace RigidBodyDynamics.Judging
         private double Cost => Chain.Cost + (Carry.IsRight ? 0 : Step + Carry.Missed.Count) + (Chain.DecayIsRight && !IsDampedRightly ? Step : 0)
             + (Carry.Code != null ? 0.3 * Step : 0) + (Chain.Order == Order.DecayGainDecay ? 0.5 : 0);
 
-        /// <summary>The source of the gain that fits the most frames, and of the orders of gain and decay the one that leaves the least off.</summary>
-        public static Travel Best(IEnumerable<Lazy<Links>> readings, TimeStep step, Func<Chain, Carry> carry)
+        /// <summary>The reading of the gain that fits the most frames, and of the orders of gain and decay the one that leaves the least off.</summary>
+        public static Travel Best(GainReadings readings, TimeStep step, Func<Chain, Carry> carry)
         {
-            Chain[] best = null;
-            foreach (Lazy<Links> links in readings)
+            Orders best = null;
+            foreach (Links links in readings.ToTry)
             {
-                Chain[] orders = { new Chain(links.Value, step, Order.GainThenDecay), new Chain(links.Value, step, Order.DecayThenGain), new Chain(links.Value, step, Order.DecayGainDecay) };
-                bool isEligible = links.Value.Code == null || orders.Any(c => c.GainIsRight);
-                if (best == null || isEligible && orders.Min(c => c.Cost) < best.Min(c => c.Cost))
+                Orders orders = new Orders(links, step);
+                if (best == null || (links.Code == null || orders.GainIsRight) && orders.Cost < best.Cost)
                     best = orders;
-                if (best.Any(c => c.GainIsRight))
+                if (best.GainIsRight)
                     break;
             }
 
+            return Told(best, carry);
+        }
+
+        /// <summary>By the reading that a part of the frames was best read by; all are tried anew where it was right there and is not here.</summary>
+        public static Travel Like(Travel part, GainReadings readings, TimeStep step, Func<Chain, Carry> carry)
+        {
+            Orders orders = new Orders(readings.All[part.Chain.Reading], step);
+            return orders.GainIsRight || !part.Chain.GainIsRight ? Told(orders, carry) : Best(readings, step, carry);
+        }
+
+        private static Travel Told(Orders orders, Func<Chain, Carry> carry)
+        {
             Travel told = null;
-            foreach (Chain chain in best)
+            foreach (Chain chain in orders)
             {
+                if (told != null && chain.Cost >= told.Cost)
+                    continue;
                 Travel travel = new Travel(chain, carry(chain));
                 if (told == null || travel.Cost < told.Cost)
                     told = travel;

@@ -7,6 +7,9 @@ namespace RigidBodyDynamics.Judging
     /// <summary>What a script adds to v or ω in the place of Δt F/m or Δt I⁻¹τ.</summary>
     internal sealed class GainDiagnosis
     {
+        /// <summary>A shape that comes later has to fit more by this share of the frames.</summary>
+        private const double BetterBy = 1e-3;
+
         private static readonly Source[] Sources = { Source.Variable, Source.Demanded };
 
         private readonly Chain _chain;
@@ -87,9 +90,12 @@ namespace RigidBodyDynamics.Judging
 
         private void Try(GainShape shape, Source source)
         {
+            // none can fit more
+            if (_share >= 1 - BetterBy)
+                return;
             Samples gains = new Samples(2e-3), kept = new Samples(2e-3);
             int fitted = 0, seen = 0;
-            for (int i = 0; i < _chain.Links.Count; i++)
+            for (int i = 0; i < _chain.Links.Length; i++)
             {
                 Link link = _chain.Links[i];
                 Vector push = _ofForce ? link.At.Force(source) : link.At.Torque(source);
@@ -109,7 +115,7 @@ namespace RigidBodyDynamics.Judging
             }
 
             double share = seen < 10 ? 0 : fitted / (double)seen;
-            if (share <= _share + 1e-3)
+            if (share <= _share + BetterBy)
                 return;
             _share = share;
             _shape = shape;
@@ -121,8 +127,8 @@ namespace RigidBodyDynamics.Judging
 
         private bool IsSeldom()
         {
-            int missed = Enumerable.Range(0, _chain.Links.Count).Count(i => _chain.MissOf(i) == Miss.Gain);
-            return missed < _chain.Links.Count / 50;
+            int missed = Enumerable.Range(0, _chain.Links.Length).Count(i => _chain.MissOf(i) == Miss.Gain);
+            return missed < _chain.Links.Length / 50;
         }
 
         private string Example()

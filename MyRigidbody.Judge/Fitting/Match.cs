@@ -23,14 +23,26 @@ namespace RigidBodyDynamics.Judging
     }
 
     /// <summary>One frame of a velocity: what it was, became, and should have gained in a second.</summary>
-    internal struct Link
+    internal readonly struct Link
     {
+        private readonly double _size;
+        private readonly double _gained;
+
         public Link(Observation at, Vector before, Vector after, Vector gain)
         {
             At = at;
             Before = before;
             After = after;
             Gain = gain;
+            _size = before.Length + after.Length;
+            _gained = gain.Length;
+        }
+
+        private Link(in Link link, Vector gain)
+        {
+            this = link;
+            Gain = gain;
+            _gained = gain.Length;
         }
 
         public Observation At { get; }
@@ -41,32 +53,25 @@ namespace RigidBodyDynamics.Judging
 
         public Vector Gain { get; }
 
+        /// <summary>A gain of zero can be read in one way only.</summary>
+        public bool IsPushed => _gained != 0;
+
+        /// <summary>The same frame, with its gain read in another way.</summary>
+        public Link With(Vector gain) => new Link(this, gain);
+
         /// <summary>How far rounding in single precision can have moved the velocity.</summary>
-        public double Tolerance(double h) => 3e-6 * (Before.Length + After.Length) + 3e-5 * h * Gain.Length + 1e-7;
-    }
-
-    /// <summary>When the factor of step 5 is applied.</summary>
-    internal enum Order
-    {
-        /// <summary>At the end of the frame, as on the sheet.</summary>
-        GainThenDecay,
-
-        /// <summary>At the beginning, which is the end of the frame before.</summary>
-        DecayThenGain,
-
-        /// <summary>At the beginning and at the end.</summary>
-        DecayGainDecay,
+        public double Tolerance(double h) => 3e-6 * _size + 3e-5 * h * _gained + 1e-7;
     }
 
     /// <summary>One frame held against the sheet's formula, and the coefficients that it has instead.</summary>
-    internal sealed class Match
+    internal struct Match
     {
         /// <summary>A velocity that grows by more than half in a frame is not damped wrongly: something is added to it.</summary>
         private const double MostKept = 1.5;
 
         private readonly double _keptOfTwo;
 
-        public Match(Link link, double h, Order order)
+        public Match(in Link link, double h, Order order) : this()
         {
             Decay = double.NaN;
             Miss = Miss.Unseen;
@@ -83,9 +88,10 @@ namespace RigidBodyDynamics.Judging
             bool isTooSlow = of.Length <= 20 * tolerance && left.Length <= 40 * tolerance;
             if (isTooSlow)
                 Miss = Miss.Unseen;
-            if (isTooSlow && (left - Sheet.Decay * of).Length > tolerance)
+            double off = (left - Sheet.Decay * of).Length;
+            if (isTooSlow && off > tolerance)
                 return;
-            if ((left - Sheet.Decay * of).Length <= tolerance)
+            if (off <= tolerance)
             {
                 Miss = Miss.None;
                 Decay = Sheet.Decay;

@@ -4,78 +4,102 @@ using System.Linq;
 
 namespace RigidBodyDynamics.Judging
 {
-    /// <summary>One velocity through all frames, with the gain read in one way.</summary>
-    internal sealed class Links
-    {
-        public Links(Source source, IReadOnlyList<Link> all, string code = null)
-        {
-            Code = code;
-            Source = source;
-            All = all;
-        }
-
-        public Source Source { get; }
-
-        public IReadOnlyList<Link> All { get; }
-
-        /// <summary>What an instructor decides about the gain; null: it is the sheet's.</summary>
-        public string Code { get; }
-    }
-
     /// <summary>All frames, and every way in which their gains may rightly be read: where the force comes from, which R and which I_ref.</summary>
     internal sealed class Motion
     {
         private static readonly Source[] Sources = { Source.Variable, Source.Demanded, Source.Keys, Source.Earlier };
 
-        public Motion(IReadOnlyList<Observation> frames)
+        public Motion(IEnumerable<Observation> frames)
         {
-            Frames = frames;
-            Observation[] moving = frames.Where(o => o.Before.Velocity.HasValue && o.After.Velocity.HasValue).ToArray();
-            Velocity = Sources.Select(source => new Lazy<Links>(() => new Links(source, moving
-                .Select(o => new Link(o, o.Before.Velocity.Value, o.After.Velocity.Value, (1 / o.Mass) * o.Force(source))).ToArray()))).ToArray();
-            Observation[] turning = frames.Where(o => o.Before.AngularVelocity.HasValue && o.After.AngularVelocity.HasValue).ToArray();
-            AngularVelocity = (
-                from reference in Inertias.References
-                from rotation in Inertias.Rotations
-                let inverses = new Lazy<Matrix[]>(() => Array.ConvertAll(turning, o => Inverse(o, reference, rotation)))
-                from source in Sources
-                select new Lazy<Links>(() => new Links(source, turning
-                    .Select((o, i) => new Link(o, o.Before.AngularVelocity.Value, o.After.AngularVelocity.Value, Acceleration(o, inverses.Value[i], source))).ToArray())))
-                .Concat(Sources.Take(2).Select(source => new Lazy<Links>(() => new Links(source, turning
-                    .Select(o => new Link(o, o.Before.AngularVelocity.Value, o.After.AngularVelocity.Value, WithGyroscopicTerm(o, source))).ToArray(), "gyroscopic-term")))).ToArray();
+            Observation[] all = frames.ToArray();
+            Velocity = OfForces(new VelocityFrames(all, s => s.Velocity));
+            AngularVelocity = OfTorques(new VelocityFrames(all, s => s.AngularVelocity));
         }
 
-        public IReadOnlyList<Observation> Frames { get; }
-
-        /// <summary>v with F/m, the likeliest source first.</summary>
-        public IReadOnlyList<Lazy<Links>> Velocity { get; }
+        /// <summary>v with F/m.</summary>
+        public GainReadings Velocity { get; }
 
         /// <summary>ω with I⁻¹τ.</summary>
-        public IReadOnlyList<Lazy<Links>> AngularVelocity { get; }
+        public GainReadings AngularVelocity { get; }
 
-        /// <summary>(R I_ref Rᵀ)⁻¹; zero where no source has a torque for it.</summary>
-        private static Matrix Inverse(Observation o, Func<Observation, Matrix> reference, Func<Observation, Matrix> rotation)
+        private static GainReadings OfForces(VelocityFrames frames)
         {
-            if (!o.IsTurnKnown || Sources.All(source => o.Torque(source).Equals(Vector.Zero)))
-                return default(Matrix);
-            Matrix r = rotation(o);
-            return (r * reference(o) * r.Transpose).Inverse;
+            Lazy<Vector[]>[] forces = Each(Sources, source => Array.ConvertAll(frames.At, o => o.Force(source)));
+            Links[] all = Sources.Select((source, n) => new Links(n, source, frames, i => (1 / frames.At[i].Mass) * forces[n].Value[i])).ToArray();
+            return new GainReadings(all, () => Different(forces), frames.GainsNothing);
         }
 
-        private static Vector Acceleration(Observation o, Matrix inverse, Source source)
+        private static GainReadings OfTorques(VelocityFrames frames)
         {
-            Vector torque = o.Torque(source);
+            Lazy<Vector[]>[] torques = Each(Sources, source => Array.ConvertAll(frames.At, o => o.Torque(source)));
+            // elsewhere nobody asks for I
+            Lazy<bool[]> isPushed = new Lazy<bool[]>(() => frames.At.Select((o, i) => o.IsTurnKnown && torques.Any(torque => !torque.Value[i].Equals(Vector.Zero))).ToArray());
+            Matrix[] WherePushed(Func<int, Matrix> matrix) => isPushed.Value.Select((isPushedHere, i) => isPushedHere ? matrix(i) : default(Matrix)).ToArray();
+            Lazy<Matrix[]>[] references = Each(Inertias.References, reference => WherePushed(i => reference(frames.At[i])));
+            Lazy<Matrix[]>[] rotations = Each(Inertias.Rotations, rotation => WherePushed(i => rotation(frames.At[i])));
+
+            List<Links> all = new List<Links>();
+            foreach (Lazy<Matrix[]> reference in references)
+            {
+                foreach (Lazy<Matrix[]> rotation in rotations)
+                {
+                    Lazy<Matrix[]> inverses = new Lazy<Matrix[]>(() => WherePushed(i => Inverse(reference.Value[i], rotation.Value[i])));
+                    for (int n = 0; n < Sources.Length; n++)
+                    {
+                        Lazy<Vector[]> torque = torques[n];
+                        all.Add(new Links(all.Count, Sources[n], frames, i => Acceleration(frames.At[i], inverses.Value[i], torque.Value[i])));
+                    }
+                }
+            }
+
+            int gyroscopic = all.Count;
+            for (int n = 0; n < 2; n++)
+            {
+                Lazy<Vector[]> torque = torques[n];
+                all.Add(new Links(all.Count, Sources[n], frames, i => WithGyroscopicTerm(frames.At[i], torque.Value[i]), "gyroscopic-term"));
+            }
+
+            IEnumerable<int> DifferentOnes()
+            {
+                int[] sources = Different(torques), rotated = Different(rotations);
+                foreach (int reference in Different(references))
+                {
+                    foreach (int rotation in rotated)
+                    {
+                        foreach (int source in sources)
+                            yield return (reference * rotations.Length + rotation) * Sources.Length + source;
+                    }
+                }
+
+                foreach (int source in sources.Where(source => source < 2))
+                    yield return gyroscopic + source;
+            }
+
+            return new GainReadings(all, DifferentOnes, frames.GainsNothing);
+        }
+
+        private static Lazy<T[]>[] Each<TOne, T>(IEnumerable<TOne> all, Func<TOne, T[]> rows) => all.Select(one => new Lazy<T[]>(() => rows(one))).ToArray();
+
+        /// <summary>The rows that are not the same as an earlier one.</summary>
+        private static int[] Different<T>(Lazy<T[]>[] rows) where T : IEquatable<T> =>
+            Enumerable.Range(0, rows.Length).Where(row => !rows.Take(row).Any(earlier => earlier.Value.SequenceEqual(rows[row].Value))).ToArray();
+
+        /// <summary>(R I_ref Rᵀ)⁻¹.</summary>
+        private static Matrix Inverse(Matrix reference, Matrix r) => (r * reference * r.Transpose).Inverse;
+
+        private static Vector Acceleration(Observation o, Matrix inverse, Vector torque)
+        {
             if (!o.IsTurnKnown)
                 return new Vector(double.NaN, double.NaN, double.NaN);
             return torque.Equals(Vector.Zero) ? torque : inverse * torque;
         }
 
         /// <summary>I⁻¹ (τ − ω × I ω), which is what a body does and the sheet leaves out.</summary>
-        private static Vector WithGyroscopicTerm(Observation o, Source source)
+        private static Vector WithGyroscopicTerm(Observation o, Vector torque)
         {
             Matrix r = Inertias.Rotations[0](o), i = r * Inertias.Kept(o) * r.Transpose;
             Vector w = o.Before.AngularVelocity.Value;
-            return i.Inverse * (o.Torque(source) - Vector.Cross(w, i * w));
+            return i.Inverse * (torque - Vector.Cross(w, i * w));
         }
     }
 }

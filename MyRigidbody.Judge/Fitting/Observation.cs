@@ -33,6 +33,11 @@ namespace RigidBodyDynamics.Judging
             Time = _frame.Input.Time;
             Delta = _frame.Input.Delta;
             IsVaried = run.IsVaried;
+            Turn = After.Orientation * Before.Orientation.Conjugate;
+            IsTurnKnown = IsUsable(Before);
+            Keys held = _frame.Input.Held;
+            KeyForce = new Vector(Axis(held, Keys.RightArrow, Keys.LeftArrow), Axis(held, Keys.UpArrow, Keys.DownArrow), 0);
+            KeyTorque = (held & Keys.R) == 0 ? Vector.Zero : Math.Sin((float)Time) * new Vector(1, 1, 1);
         }
 
         public Run Run { get; }
@@ -57,35 +62,21 @@ namespace RigidBodyDynamics.Judging
         public bool IsLeftToKeys => _frame.GivenForce == null && _frame.GivenTorque == null;
 
         /// <summary>R is one: the quaternions are numbers, and the script's own has not grown beyond use.</summary>
-        public bool IsTurnKnown
-        {
-            get
-            {
-                double own = Before.OwnOrientation?.Length ?? 1;
-                return Before.Orientation.IsFinite && own > 0.5 && own < 2;
-            }
-        }
+        public bool IsTurnKnown { get; }
 
         public double Mass => Before.Mass ?? 1;
 
         public Vector Moved => After.Position - Before.Position;
 
         /// <summary>The turn of the frame, from the world's side.</summary>
-        public Orientation Turn => After.Orientation * Before.Orientation.Conjugate;
+        public Orientation Turn { get; }
 
         /// <summary>The turn of the frame, from the body's side.</summary>
         public Orientation TurnInBody => Before.Orientation.Conjugate * After.Orientation;
 
-        public Vector KeyForce
-        {
-            get
-            {
-                Keys held = _frame.Input.Held;
-                return new Vector(Axis(held, Keys.RightArrow, Keys.LeftArrow), Axis(held, Keys.UpArrow, Keys.DownArrow), 0);
-            }
-        }
+        public Vector KeyForce { get; }
 
-        public Vector KeyTorque => (_frame.Input.Held & Keys.R) == 0 ? Vector.Zero : Math.Sin((float)Time) * new Vector(1, 1, 1);
+        public Vector KeyTorque { get; }
 
         public static IReadOnlyList<Observation> Of(Recording recording) =>
             recording.Runs.SelectMany(run => Enumerable.Range(0, run.Frames.Count).Select(i => new Observation(run, i))).ToArray();
@@ -103,6 +94,12 @@ namespace RigidBodyDynamics.Judging
                 case Source.Demanded: return given ?? keys;
                 default: return keys;
             }
+        }
+
+        private static bool IsUsable(Snapshot at)
+        {
+            double own = at.OwnOrientation?.Length ?? 1;
+            return at.Orientation.IsFinite && own > 0.5 && own < 2;
         }
 
         private static double Axis(Keys held, Keys plus, Keys minus) => 5 * (((held & plus) != 0 ? 1 : 0) - ((held & minus) != 0 ? 1 : 0));

@@ -63,7 +63,7 @@ namespace RigidBodyDynamics.Judging
         }
 
         private static string Other(Explanation explanation) =>
-            explanation.Orientation.Missed.Count < explanation.AngularVelocity.Links.Count / 50 ? "q-sometimes" : "q-formula";
+            explanation.Orientation.Missed.Count < explanation.AngularVelocity.Links.Length / 50 ? "q-sometimes" : "q-formula";
 
         private static string Example(Explanation explanation) =>
             Text.Of(Turns.FirstOrder(explanation.AngularVelocity.Links[explanation.Orientation.Missed[0]].At.Turn));

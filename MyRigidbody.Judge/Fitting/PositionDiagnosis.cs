@@ -47,7 +47,7 @@ namespace RigidBodyDynamics.Judging
         {
             Chain chain = explanation.Velocity;
             int seen = 0, fitted = 0;
-            for (int i = 0; i < chain.Links.Count; i++)
+            for (int i = 0; i < chain.Links.Length; i++)
             {
                 Link link = chain.Links[i];
                 if (link.Gain.Length < 0.1 || !link.Before.IsFinite || !link.At.Moved.IsFinite)
@@ -68,7 +68,7 @@ namespace RigidBodyDynamics.Judging
             IReadOnlyList<int> missed = explanation.Position.Missed;
             if (missed.All(i => explanation.Velocity.Links[i].At.Index == 0))
                 return "starts-elsewhere";
-            return missed.Count < explanation.Velocity.Links.Count / 50 ? "x-sometimes" : "x-formula";
+            return missed.Count < explanation.Velocity.Links.Length / 50 ? "x-sometimes" : "x-formula";
         }
 
         private static string Example(Explanation explanation) => Text.Of(explanation.Velocity.Links[explanation.Position.Missed[0]].At.Moved);
