@@ -57,6 +57,16 @@ internal sealed class Browser : IDisposable
         Assert.That(Becomes(ready, seconds), NUnit.Framework.Is.True, $"{address} is not ready: " + string.Join("; ", Complaints()));
     }
 
+    /// <summary>Leaves the page, and with it what was set and noted.</summary>
+    public void Forget()
+    {
+        _driver.Navigate().GoToUrl("about:blank");
+        Resize(1200, 900);
+        Prefer("light");
+        Complaints();
+        Requests();
+    }
+
     /// <summary>Files that the page saves go into a folder.</summary>
     public void SaveTo(string folder) => _driver.ExecuteCdpCommand(
         "Browser.setDownloadBehavior", new Dictionary<string, object?> { ["behavior"] = "allow", ["downloadPath"] = folder });
@@ -117,10 +127,14 @@ internal sealed class Browser : IDisposable
         ["mobile"] = isPhone,
     });
 
-    /// <summary>Tells the page which of dark and light the system is set to.</summary>
-    public void Prefer(string scheme) => _driver.ExecuteCdpCommand("Emulation.setEmulatedMedia", new Dictionary<string, object?>
+    /// <summary>Tells the page which of dark and light the system is set to, and whether who sits before it wants motion.</summary>
+    public void Prefer(string scheme, string motion = "no-preference") => _driver.ExecuteCdpCommand("Emulation.setEmulatedMedia", new Dictionary<string, object?>
     {
-        ["features"] = new object[] { new Dictionary<string, object> { ["name"] = "prefers-color-scheme", ["value"] = scheme } },
+        ["features"] = new object[]
+        {
+            new Dictionary<string, object> { ["name"] = "prefers-color-scheme", ["value"] = scheme },
+            new Dictionary<string, object> { ["name"] = "prefers-reduced-motion", ["value"] = motion },
+        },
     });
 
     /// <summary>The number of sheets of A4 that the page prints on.</summary>

@@ -5,29 +5,20 @@ using RigidBodyDynamics.Tests.CommandLine;
 namespace RigidBodyDynamics.BrowserTests;
 
 /// <summary>The diagram of accuracy against time, and the advice that follows the line.</summary>
-public sealed class CostPageTests
+public sealed class CostPageTests : BrowserFixture
 {
     private const double SameCost = 1.03;
-    private Browser _browser = null!;
     private TemporaryFolder _folder = null!;
 
     [OneTimeSetUp]
     public void Open()
     {
-        _browser = new Browser();
         _folder = new TemporaryFolder();
-        _browser.Open(Pages.Cost(_folder));
+        Browser.Open(Pages.Cost(_folder));
     }
-
-    [TearDown]
-    public void Nothing_complains() => Assert.That(_browser.Complaints(), Is.Empty);
 
     [OneTimeTearDown]
-    public void Stop()
-    {
-        _browser?.Dispose();
-        _folder?.Dispose();
-    }
+    public void Stop() => _folder?.Dispose();
 
     [TestCase(-1)]
     [TestCase(-3)]
@@ -35,8 +26,8 @@ public sealed class CostPageTests
     [TestCase(-15)]
     public void Advice_follows_the_slider_and_is_that_of_the_terminal(int exponent)
     {
-        _browser.Do($"const s = document.getElementById('wanted-0'); s.value = {exponent}; s.dispatchEvent(new Event('input'))");
-        string answer = _browser.Find("#answer-0").Text;
+        Browser.Do($"const s = document.getElementById('wanted-0'); s.value = {exponent}; s.dispatchEvent(new Event('input'))");
+        string answer = Browser.Find("#answer-0").Text;
         string? best = Cheapest(Math.Pow(10, exponent));
 
         Assert.That(answer, Does.StartWith($"Below 1e{exponent}: "));
@@ -58,19 +49,19 @@ public sealed class CostPageTests
     [Test]
     public void Line_that_is_dragged_moves_the_slider()
     {
-        _browser.Do("Plotly.relayout(document.getElementById('diagram-0'), { 'shapes[0].y0': 1e-4, 'shapes[0].y1': 1e-4 })");
+        Browser.Do("Plotly.relayout(document.getElementById('diagram-0'), { 'shapes[0].y0': 1e-4, 'shapes[0].y1': 1e-4 })");
         Thread.Sleep(300);
 
-        Assert.That(_browser.Get<double>("document.getElementById('wanted-0').valueAsNumber"), Is.EqualTo(-4));
-        Assert.That(_browser.Find("#answer-0").Text, Does.StartWith("Below 1e-4: "));
+        Assert.That(Browser.Get<double>("document.getElementById('wanted-0').valueAsNumber"), Is.EqualTo(-4));
+        Assert.That(Browser.Find("#answer-0").Text, Does.StartWith("Below 1e-4: "));
     }
 
     [Test]
     public void Chinese_is_spoken_in_the_diagram_too()
     {
-        _browser.Do("document.getElementById('language').click()");
-        Assert.That(_browser.Find("#answer-0").Text, Does.Contain("低于"));
-        Assert.That(_browser.Get<string>("document.getElementById('diagram-0').textContent"), Does.Contain("最大误差"));
-        _browser.Do("document.getElementById('language').click()");
+        Browser.Do("document.getElementById('language').click()");
+        Assert.That(Browser.Find("#answer-0").Text, Does.Contain("低于"));
+        Assert.That(Browser.Get<string>("document.getElementById('diagram-0').textContent"), Does.Contain("最大误差"));
+        Browser.Do("document.getElementById('language').click()");
     }
 }

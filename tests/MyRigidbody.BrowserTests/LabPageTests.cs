@@ -4,37 +4,17 @@ using OpenQA.Selenium;
 namespace RigidBodyDynamics.BrowserTests;
 
 /// <summary>The lab in a browser as a whole: what comes over the wire, what is asked of whom, keys, language, small and large screens.</summary>
-public sealed class LabPageTests
+public sealed class LabPageTests : LabPageFixture
 {
     private const string Moves = "window.report?.pictures?.() > 1 && report.time() > 0";
     private const string Whole = Moves + " && document.getElementById('measure')?.textContent && document.querySelector('.write .outcome')?.textContent";
     private const int MostBytes = 6_000_000;
 
-    private Browser _browser = null!;
-    private LabSite _site = null!;
-
-    [OneTimeSetUp]
-    public void Start()
-    {
-        _site = new LabSite();
-        _browser = new Browser();
-    }
-
     [SetUp]
     public void Normal()
     {
-        _browser.Resize(1280, 900);
-        _browser.Prefer("light");
-    }
-
-    [TearDown]
-    public void Nothing_complains() => Assert.That(_browser.Complaints(), Is.Empty);
-
-    [OneTimeTearDown]
-    public void Stop()
-    {
-        _browser?.Dispose();
-        _site?.Dispose();
+        Browser.Resize(1280, 900);
+        Browser.Prefer("light");
     }
 
     [Test]
@@ -56,39 +36,40 @@ public sealed class LabPageTests
     [Test]
     public void A_key_is_felt_in_the_next_step()
     {
-        _browser.Visit(_site.Address, Moves);
-        _browser.Do("document.activeElement.blur()");
-        _browser.Do("window.done = report.live().motion.times.length - 1; dispatchEvent(new KeyboardEvent('keydown', { key: 'ArrowRight', code: 'ArrowRight' }))");
-        Assert.That(_browser.Becomes("report.live().felt.length > 0"), Is.True);
-        _browser.Do("dispatchEvent(new KeyboardEvent('keyup', { key: 'ArrowRight', code: 'ArrowRight' }))");
+        Browser.Visit(Site.Address, Moves);
+        Browser.Do("document.activeElement.blur()");
+        Browser.Do("window.done = report.live().motion.times.length - 1; dispatchEvent(new KeyboardEvent('keydown', { key: 'ArrowRight', code: 'ArrowRight' }))");
+        Assert.That(Browser.Becomes("report.live().felt.length > 0"), Is.True);
+        Browser.Do("dispatchEvent(new KeyboardEvent('keyup', { key: 'ArrowRight', code: 'ArrowRight' }))");
 
-        Assert.That(_browser.Get<string>("report.live().felt[0].key"), Is.EqualTo("RightArrow"));
-        Assert.That(_browser.Get<int>("report.live().felt[0].step"), Is.EqualTo(_browser.Get<int>("window.done")), "the steps that were done when the key went down");
+        Assert.That(Browser.Get<string>("report.live().felt[0].key"), Is.EqualTo("RightArrow"));
+        Assert.That(Browser.Get<int>("report.live().felt[0].step"), Is.EqualTo(Browser.Get<int>("window.done")), "the steps that were done when the key went down");
     }
 
     [Test]
     public void Nobody_else_is_asked_for_anything()
     {
-        _browser.Requests();
-        _browser.Visit(_site.Address, Whole);
-        _browser.Do("document.getElementById('measure').scrollIntoView()");
+        int before = Site.Sent.Length;
+        Browser.Requests();
+        Browser.Visit(Site.Address, Whole);
+        Browser.Do("document.getElementById('measure').scrollIntoView()");
 
-        Assert.That(_browser.Requests().Where(address => address != "about:blank"), Is.Not.Empty.And.All.StartsWith(_site.Address));
-        Assert.That(_browser.Get<bool>("performance.getEntriesByType('resource').every(entry => entry.name.startsWith(location.origin) || entry.name.startsWith('blob:'))"), Is.True);
-        Assert.That(_site.Sent.Where(file => file.Bytes == 0).Select(file => file.Path), Is.Empty, "asked for, and not there");
+        Assert.That(Browser.Requests().Where(address => address != "about:blank"), Is.Not.Empty.And.All.StartsWith(Site.Address));
+        Assert.That(Browser.Get<bool>("performance.getEntriesByType('resource').every(entry => entry.name.startsWith(location.origin) || entry.name.startsWith('blob:'))"), Is.True);
+        Assert.That(Site.Sent.Skip(before).Where(file => file.Bytes == 0).Select(file => file.Path), Is.Empty, "asked for, and not there");
     }
 
     [Test]
     public void A_script_in_the_page_that_asks_somebody_else_is_refused()
     {
-        _browser.Visit(_site.Address, Moves);
-        _browser.Do("window.refused = []; addEventListener('securitypolicyviolation', event => refused.push(event.effectiveDirective))");
-        _browser.Do("fetch('http://127.0.0.1:9/').catch(() => { }); new Image().src = 'http://127.0.0.1:9/x.png'");
-        _browser.Do("const s = document.createElement('script'); s.textContent = 'window.ran = true'; document.body.append(s)");
+        Browser.Visit(Site.Address, Moves);
+        Browser.Do("window.refused = []; addEventListener('securitypolicyviolation', event => refused.push(event.effectiveDirective))");
+        Browser.Do("fetch('http://127.0.0.1:9/').catch(() => { }); new Image().src = 'http://127.0.0.1:9/x.png'");
+        Browser.Do("const s = document.createElement('script'); s.textContent = 'window.ran = true'; document.body.append(s)");
 
-        Assert.That(_browser.Becomes("refused.includes('connect-src') && refused.includes('img-src') && refused.includes('script-src-elem')"), Is.True);
-        Assert.That(_browser.Get<bool>("window.ran === undefined"), Is.True);
-        Assert.That(_browser.Complaints(), Has.Some.Contains("Content Security Policy"));
+        Assert.That(Browser.Becomes("refused.includes('connect-src') && refused.includes('img-src') && refused.includes('script-src-elem')"), Is.True);
+        Assert.That(Browser.Get<bool>("window.ran === undefined"), Is.True);
+        Assert.That(Browser.Complaints(), Has.Some.Contains("Content Security Policy"));
     }
 
     [Test]
@@ -110,18 +91,18 @@ public sealed class LabPageTests
     [Test]
     public void Language_and_theme_are_switched_everywhere()
     {
-        _browser.Visit(_site.Address + "#lang=en&theme=light", Whole);
-        string light = _browser.Get<string>("getComputedStyle(document.body).backgroundColor");
-        Assert.That(_browser.Get<string>("[...document.querySelectorAll('[data-word]:not(#language)')].filter(e => /[\\u4e00-\\u9fff]/.test(e.innerText)).map(e => e.dataset.word).join()"), Is.Empty);
+        Browser.Visit(Site.Address + "#lang=en&theme=light", Whole);
+        string light = Browser.Get<string>("getComputedStyle(document.body).backgroundColor");
+        Assert.That(Browser.Get<string>("[...document.querySelectorAll('[data-word]:not(#language)')].filter(e => /[\\u4e00-\\u9fff]/.test(e.innerText)).map(e => e.dataset.word).join()"), Is.Empty);
 
-        _browser.Find("#language").Click();
-        _browser.Find("#theme").Click();
+        Browser.Find("#language").Click();
+        Browser.Find("#theme").Click();
 
-        Assert.That(_browser.Get<string>("document.documentElement.lang"), Is.EqualTo("zh"));
-        Assert.That(_browser.Get<string>("getComputedStyle(document.body).backgroundColor"), Is.Not.EqualTo(light));
-        Assert.That(_browser.Get<string>("[...document.querySelectorAll('[data-word]')].filter(e => !e.textContent.trim()).map(e => e.dataset.word).join()"), Is.Empty);
+        Assert.That(Browser.Get<string>("document.documentElement.lang"), Is.EqualTo("zh"));
+        Assert.That(Browser.Get<string>("getComputedStyle(document.body).backgroundColor"), Is.Not.EqualTo(light));
+        Assert.That(Browser.Get<string>("[...document.querySelectorAll('[data-word]')].filter(e => !e.textContent.trim()).map(e => e.dataset.word).join()"), Is.Empty);
         Assert.That(
-            _browser.Get<string>("[...document.querySelectorAll('h2, main button, main label, main summary')].filter(e => e.innerText.trim() && !/[\\u4e00-\\u9fff]/.test(e.innerText)).map(e => e.innerText).filter(text => /[a-z]{3}/.test(text)).join()"),
+            Browser.Get<string>("[...document.querySelectorAll('h2, main button, main label, main summary')].filter(e => e.innerText.trim() && !/[\\u4e00-\\u9fff]/.test(e.innerText)).map(e => e.innerText).filter(text => /[a-z]{3}/.test(text)).join()"),
             Is.Empty);
     }
 
@@ -132,12 +113,12 @@ public sealed class LabPageTests
     [TestCase(390, true, "#lang=zh&theme=dark")]
     public void Nothing_is_cut_off_or_lies_on_something_else(int width, bool isPhone, string choice)
     {
-        _browser.Resize(width, 800, isPhone);
-        _browser.Visit(_site.Address + choice, Whole);
-        _browser.Photograph($"lab-{width}{(choice.Length > 0 ? "-dark-zh" : string.Empty)}");
+        Browser.Resize(width, 800, isPhone);
+        Browser.Visit(Site.Address + choice, Whole);
+        Browser.Photograph($"lab-{width}{(choice.Length > 0 ? "-dark-zh" : string.Empty)}");
 
-        Assert.That(_browser.Get<int>("document.documentElement.scrollWidth"), Is.LessThanOrEqualTo(width));
-        Assert.That(_browser.Get<string>("""
+        Assert.That(Browser.Get<int>("document.documentElement.scrollWidth"), Is.LessThanOrEqualTo(width));
+        Assert.That(Browser.Get<string>("""
             (() => {
               const seen = [...document.querySelectorAll('button, select, input, summary, output, h2, canvas')]
                 .filter(e => e.checkVisibility({ visibilityProperty: true }) && !e.closest('.unseen, .stage .legend')).map(e => [e, e.getBoundingClientRect()]).filter(([, r]) => r.width > 2 && r.height > 2);
@@ -153,31 +134,31 @@ public sealed class LabPageTests
     [Test]
     public void Every_control_has_a_name_for_who_cannot_see_it()
     {
-        _browser.Visit(_site.Address, Whole);
+        Browser.Visit(Site.Address, Whole);
 
-        Assert.That(_browser.Unnamed(), Is.Empty);
-        Assert.That(_browser.Get<int>("document.querySelectorAll('.write .lamps li').length"), Is.EqualTo(5));
-        Assert.That(_browser.Get<string>("[...document.querySelectorAll('.write .lamps li')].filter(lamp => lamp.innerText.trim().split(/\\s+/).length < 2).map(lamp => lamp.innerText).join()"), Is.Empty);
+        Assert.That(Browser.Unnamed(), Is.Empty);
+        Assert.That(Browser.Get<int>("document.querySelectorAll('.write .lamps li').length"), Is.EqualTo(5));
+        Assert.That(Browser.Get<string>("[...document.querySelectorAll('.write .lamps li')].filter(lamp => lamp.innerText.trim().split(/\\s+/).length < 2).map(lamp => lamp.innerText).join()"), Is.Empty);
     }
 
     [Test]
     public void Who_has_only_a_keyboard_comes_from_the_address_to_play_write_and_cost()
     {
-        _browser.Visit(_site.Address, Whole);
+        Browser.Visit(Site.Address, Whole);
         HashSet<string> reached = [];
         for (int i = 0; i < 80 && !reached.Contains("measure"); i++)
         {
-            _browser.Press(Keys.Tab);
-            reached.Add(_browser.Get<string>("document.activeElement.closest('.editor') ? 'editor' : document.activeElement.id"));
-            if (reached.Contains("editor") && _browser.Get<bool>("Boolean(document.activeElement.closest('.editor'))"))
+            Browser.Press(Keys.Tab);
+            reached.Add(Browser.Get<string>("document.activeElement.closest('.editor') ? 'editor' : document.activeElement.id"));
+            if (reached.Contains("editor") && Browser.Get<bool>("Boolean(document.activeElement.closest('.editor'))"))
             {
                 // Tab is a letter in the editor until Escape
-                _browser.Press(Keys.Escape);
+                Browser.Press(Keys.Escape);
             }
         }
 
         Assert.That(reached, Is.SupersetOf(new[] { "copy-link", "language", "theme", "scene", "rule", "stage", "play", "again", "time", "editor", "measure" }));
-        Assert.That(_browser.Get<string>("getComputedStyle(document.activeElement).outlineStyle"), Is.Not.EqualTo("none"));
+        Assert.That(Browser.Get<string>("getComputedStyle(document.activeElement).outlineStyle"), Is.Not.EqualTo("none"));
     }
 
     private static string Picture(Browser browser) => browser.Get<string>("document.getElementById('stage').toDataURL()");

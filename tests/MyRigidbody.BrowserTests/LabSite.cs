@@ -1,8 +1,6 @@
 using System.Collections.Concurrent;
 using System.Net;
 using System.Net.Sockets;
-using NUnit.Framework;
-using RigidBodyDynamics.Tests.Repository;
 
 namespace RigidBodyDynamics.BrowserTests;
 
@@ -29,12 +27,7 @@ internal sealed class LabSite : IDisposable
     /// <param name="folder">A folder of the test's own, in place of the built one.</param>
     public LabSite(string? folder = null)
     {
-        _folder = folder ?? Root.File("artifacts/site");
-        if (folder == null && !File.Exists(Path.Combine(_folder, "index.html")))
-        {
-            Assert.Ignore("no artifacts/site here (dotnet run -c Release --project MyRigidbody.Web -- --out artifacts/site)");
-        }
-
+        _folder = folder ?? SiteFiles.Folder;
         using (TcpListener free = new(IPAddress.Loopback, 0))
         {
             free.Start();

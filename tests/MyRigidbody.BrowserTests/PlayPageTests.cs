@@ -6,54 +6,42 @@ using RigidBodyDynamics.Tests.Repository;
 namespace RigidBodyDynamics.BrowserTests;
 
 /// <summary>The Play part of the lab: bodies that move while keys are held, and what has been played of them.</summary>
-public sealed class PlayPageTests
+public sealed class PlayPageTests : LabPageFixture
 {
     private const string Moves = "window.report?.live?.() && report.time() > 0.1";
 
-    private Browser _browser = null!;
-    private LabSite _site = null!;
     private TemporaryFolder _folder = null!;
 
     [OneTimeSetUp]
     public void Start()
     {
-        _site = new LabSite();
-        _browser = new Browser();
         _folder = new TemporaryFolder();
     }
 
     [SetUp]
     public void Open()
     {
-        _browser.Resize(1280, 900);
-        _browser.Visit(_site.Address + "#lang=en&theme=light", Moves);
-        _browser.Do("document.activeElement.blur()");
+        Browser.Resize(1280, 900);
+        Browser.Visit(Site.Address + "#lang=en&theme=light", Moves);
+        Browser.Do("document.activeElement.blur()");
     }
-
-    [TearDown]
-    public void Nothing_complains() => Assert.That(_browser.Complaints(), Is.Empty);
 
     [OneTimeTearDown]
-    public void Stop()
-    {
-        _browser?.Dispose();
-        _site?.Dispose();
-        _folder?.Dispose();
-    }
+    public void Stop() => _folder?.Dispose();
 
     [Test]
     public void A_key_acts_in_the_step_after_it_went_down_and_ends_the_keys_of_the_file()
     {
         // the step that is next when the key goes down
-        _browser.Do("const down = Event.prototype.preventDefault; Event.prototype.preventDefault = function () { window.next ??= report.live().steps; down.call(this); }");
+        Browser.Do("const down = Event.prototype.preventDefault; Event.prototype.preventDefault = function () { window.next ??= report.live().steps; down.call(this); }");
         Key("keydown", "ArrowLeft");
-        Assert.That(_browser.Becomes("report.live().felt.length > 0"), Is.True);
+        Assert.That(Browser.Becomes("report.live().felt.length > 0"), Is.True);
         Key("keyup", "ArrowLeft");
 
-        Assert.That(_browser.Get<string>("report.live().felt[0].key"), Is.EqualTo("LeftArrow"));
-        Assert.That(_browser.Get<int>("report.live().felt[0].step"), Is.EqualTo(_browser.Get<int>("window.next")));
-        Assert.That(_browser.Get<bool>("document.getElementById('file-keys').checked"), Is.False);
-        Assert.That(_browser.Becomes("report.live().felt.length === 2 && !document.querySelector('[data-key].on')"), Is.True);
+        Assert.That(Browser.Get<string>("report.live().felt[0].key"), Is.EqualTo("LeftArrow"));
+        Assert.That(Browser.Get<int>("report.live().felt[0].step"), Is.EqualTo(Browser.Get<int>("window.next")));
+        Assert.That(Browser.Get<bool>("document.getElementById('file-keys').checked"), Is.False);
+        Assert.That(Browser.Becomes("report.live().felt.length === 2 && !document.querySelector('[data-key].on')"), Is.True);
     }
 
     [Test]
@@ -62,8 +50,8 @@ public sealed class PlayPageTests
         Key("keydown", "ArrowUp");
         Key("keyup", "ArrowUp");
 
-        Assert.That(_browser.Becomes("report.live().felt.length === 2"), Is.True);
-        Assert.That(_browser.Get<int>("report.live().felt[1].step - report.live().felt[0].step"), Is.AtLeast(1));
+        Assert.That(Browser.Becomes("report.live().felt.length === 2"), Is.True);
+        Assert.That(Browser.Get<int>("report.live().felt[1].step - report.live().felt[0].step"), Is.AtLeast(1));
     }
 
     [Test]
@@ -71,55 +59,55 @@ public sealed class PlayPageTests
     {
         Finger("pointerdown", 7, "RightArrow");
         Finger("pointerdown", 8, "R");
-        Assert.That(_browser.Becomes("['RightArrow', 'R'].every(key => report.live().felt.some(felt => felt.key === key && felt.isDown))"), Is.True);
-        Assert.That(_browser.Get<string>("[...document.querySelectorAll('[data-key].on')].map(key => key.dataset.key).join()"), Does.Contain("RightArrow").And.Contain("R"));
+        Assert.That(Browser.Becomes("['RightArrow', 'R'].every(key => report.live().felt.some(felt => felt.key === key && felt.isDown))"), Is.True);
+        Assert.That(Browser.Get<string>("[...document.querySelectorAll('[data-key].on')].map(key => key.dataset.key).join()"), Does.Contain("RightArrow").And.Contain("R"));
 
         Finger("pointercancel", 7, "RightArrow");
         Finger("pointerup", 8, "R");
-        Assert.That(_browser.Becomes("report.live().felt.filter(felt => !felt.isDown).length === 2"), Is.True);
+        Assert.That(Browser.Becomes("report.live().felt.filter(felt => !felt.isDown).length === 2"), Is.True);
     }
 
     [Test]
     public void Lost_focus_lets_keys_go()
     {
         Key("keydown", "ArrowDown");
-        Assert.That(_browser.Becomes("report.live().felt.length === 1"), Is.True);
+        Assert.That(Browser.Becomes("report.live().felt.length === 1"), Is.True);
 
-        _browser.Do("dispatchEvent(new Event('blur'))");
+        Browser.Do("dispatchEvent(new Event('blur'))");
 
-        Assert.That(_browser.Becomes("report.live().felt.length === 2 && !report.live().felt[1].isDown"), Is.True);
+        Assert.That(Browser.Becomes("report.live().felt.length === 2 && !report.live().felt[1].isDown"), Is.True);
     }
 
     [Test]
     public void What_was_played_is_scrubbed_and_goes_on_where_it_ended()
     {
-        Assert.That(_browser.Becomes("report.time() > 1"), Is.True);
-        _browser.Find("#play").Click();
-        double end = _browser.Get<double>("report.motion.end");
-        string first = _browser.Get<string>("JSON.stringify(report.poseAt(0.5))");
-        _browser.Do("const time = document.getElementById('time'); time.value = 0.5; time.dispatchEvent(new Event('input'))");
+        Assert.That(Browser.Becomes("report.time() > 1"), Is.True);
+        Browser.Find("#play").Click();
+        double end = Browser.Get<double>("report.motion.end");
+        string first = Browser.Get<string>("JSON.stringify(report.poseAt(0.5))");
+        Browser.Do("const time = document.getElementById('time'); time.value = 0.5; time.dispatchEvent(new Event('input'))");
 
-        Assert.That(_browser.Get<double>("report.time()"), Is.EqualTo(0.5));
-        Assert.That(_browser.Get<double>("report.motion.end"), Is.EqualTo(end), "looking back makes nothing new");
+        Assert.That(Browser.Get<double>("report.time()"), Is.EqualTo(0.5));
+        Assert.That(Browser.Get<double>("report.motion.end"), Is.EqualTo(end), "looking back makes nothing new");
 
-        _browser.Find("#play").Click();
-        Assert.That(_browser.Becomes($"report.motion.end > {end.ToString("R", CultureInfo.InvariantCulture)}"), Is.True);
-        Assert.That(_browser.Get<string>("JSON.stringify(report.poseAt(0.5))"), Is.EqualTo(first));
+        Browser.Find("#play").Click();
+        Assert.That(Browser.Becomes($"report.motion.end > {end.ToString("R", CultureInfo.InvariantCulture)}"), Is.True);
+        Assert.That(Browser.Get<string>("JSON.stringify(report.poseAt(0.5))"), Is.EqualTo(first));
     }
 
     [Test]
     public void One_step_on_is_one_step()
     {
-        _browser.Find("#play").Click();
-        _browser.Do("report.setTime(report.motion.end)");
-        int steps = _browser.Get<int>("report.live().steps");
+        Browser.Find("#play").Click();
+        Browser.Do("report.setTime(report.motion.end)");
+        int steps = Browser.Get<int>("report.live().steps");
 
-        _browser.Find("#on").Click();
-        Assert.That(_browser.Becomes($"report.live().steps === {steps + 1} && report.time() === report.motion.end"), Is.True);
+        Browser.Find("#on").Click();
+        Assert.That(Browser.Becomes($"report.live().steps === {steps + 1} && report.time() === report.motion.end"), Is.True);
 
-        _browser.Find("#back").Click();
-        Assert.That(_browser.Get<double>("report.time() / 0.02"), Is.EqualTo(steps).Within(1e-9));
-        Assert.That(_browser.Get<string>("document.getElementById('live').textContent"), Does.Contain("Paused at").And.Contain("DefaultRigidbody turns at"));
+        Browser.Find("#back").Click();
+        Assert.That(Browser.Get<double>("report.time() / 0.02"), Is.EqualTo(steps).Within(1e-9));
+        Assert.That(Browser.Get<string>("document.getElementById('live').textContent"), Does.Contain("Paused at").And.Contain("DefaultRigidbody turns at"));
     }
 
     [TestCase("Exact", "lab-box")]
@@ -127,12 +115,12 @@ public sealed class PlayPageTests
     public void Scene_and_rule_are_chosen(string rule, string scene)
     {
         Choose("scene", scene);
-        Assert.That(_browser.Becomes($"lab.state.scene === '{scene}' && report.time() > 0"), Is.True);
+        Assert.That(Browser.Becomes($"lab.state.scene === '{scene}' && report.time() > 0"), Is.True);
         Choose("rule", rule);
-        Assert.That(_browser.Becomes($"lab.state.rule === '{rule}' && report.time() > 0"), Is.True);
+        Assert.That(Browser.Becomes($"lab.state.rule === '{rule}' && report.time() > 0"), Is.True);
 
-        Assert.That(_browser.Get<string>("lab.played().text"), Does.Contain($"\"integrator\": \"{rule}\""));
-        Assert.That(_browser.Get<bool>("document.getElementById('said').hidden"), Is.True);
+        Assert.That(Browser.Get<string>("lab.played().text"), Does.Contain($"\"integrator\": \"{rule}\""));
+        Assert.That(Browser.Get<bool>("document.getElementById('said').hidden"), Is.True);
     }
 
     [Test]
@@ -140,32 +128,32 @@ public sealed class PlayPageTests
     {
         string[] scenes = [.. Directory.GetFiles(Root.File("scenes"), "*.json").Select(Path.GetFileNameWithoutExtension).Where(name => !name!.Contains("schema", StringComparison.Ordinal))!];
 
-        Assert.That(_browser.Get<string>("[...document.getElementById('scene').options].map(option => option.value).join()").Split(','), Is.EquivalentTo(scenes));
+        Assert.That(Browser.Get<string>("[...document.getElementById('scene').options].map(option => option.value).join()").Split(','), Is.EquivalentTo(scenes));
     }
 
     [Test]
     public void A_scene_that_is_none_is_refused_in_one_line_and_the_other_goes_on()
     {
-        _browser.Do("lab.set({ scene: 'mine', sceneText: '{ \"schema\": \"rigid-body-scene/1\", \"name\": \"x\", \"step\": 0.02, \"duration\": 1, \"bodies\": [{ \"name\": \"a\", \"mass\": -1 }] }' })");
+        Browser.Do("lab.set({ scene: 'mine', sceneText: '{ \"schema\": \"rigid-body-scene/1\", \"name\": \"x\", \"step\": 0.02, \"duration\": 1, \"bodies\": [{ \"name\": \"a\", \"mass\": -1 }] }' })");
 
-        Assert.That(_browser.Becomes("!document.getElementById('said').hidden"), Is.True);
-        Assert.That(_browser.Get<string>("document.getElementById('said').textContent"), Does.StartWith("mine.json: bodies[0].mass: must be").And.EndsWith("in body \"a\""));
-        double now = _browser.Get<double>("report.time()");
-        Assert.That(_browser.Becomes($"report.time() > {now.ToString("R", CultureInfo.InvariantCulture)}"), Is.True);
+        Assert.That(Browser.Becomes("!document.getElementById('said').hidden"), Is.True);
+        Assert.That(Browser.Get<string>("document.getElementById('said').textContent"), Does.StartWith("mine.json: bodies[0].mass: must be").And.EndsWith("in body \"a\""));
+        double now = Browser.Get<double>("report.time()");
+        Assert.That(Browser.Becomes($"report.time() > {now.ToString("R", CultureInfo.InvariantCulture)}"), Is.True);
     }
 
     [Test]
     public void Scene_and_recording_are_saved_and_the_command_line_reads_them()
     {
-        _browser.SaveTo(_folder.Path);
+        Browser.SaveTo(_folder.Path);
         Key("keydown", "ArrowLeft");
-        Assert.That(_browser.Becomes("report.live().felt.length > 0 && report.time() > 1"), Is.True);
+        Assert.That(Browser.Becomes("report.live().felt.length > 0 && report.time() > 1"), Is.True);
         Key("keyup", "ArrowLeft");
-        _browser.Find("#play").Click();
-        int steps = _browser.Get<int>("report.live().steps");
-        double end = _browser.Get<double>("report.data.bodies[0].position[report.data.bodies[0].position.length - 3]");
-        _browser.Find("#save-scene").Click();
-        _browser.Find("#save-recording").Click();
+        Browser.Find("#play").Click();
+        int steps = Browser.Get<int>("report.live().steps");
+        double end = Browser.Get<double>("report.data.bodies[0].position[report.data.bodies[0].position.length - 3]");
+        Browser.Find("#save-scene").Click();
+        Browser.Find("#save-recording").Click();
         foreach (string name in new[] { "lab-played.json", "lab-recording.json", "lab-recording.csv" })
         {
             Assert.That(() => File.Exists(_folder.File(name)), NUnit.Framework.Is.True.After(20_000, 100), name);
@@ -182,33 +170,33 @@ public sealed class PlayPageTests
     [Test]
     public void The_report_is_the_page_of_compare()
     {
-        _browser.SaveTo(_folder.Path);
-        _browser.Find("#play").Click();
-        _browser.Find("#save-report").Click();
+        Browser.SaveTo(_folder.Path);
+        Browser.Find("#play").Click();
+        Browser.Find("#save-report").Click();
         string page = _folder.File("lab-played.html");
 
         Assert.That(() => File.Exists(page), NUnit.Framework.Is.True.After(120_000, 200));
         string html = File.ReadAllText(page);
         Assert.That(html, Does.Contain("compare lab-played.json").And.Contain("id=\"rules\"").And.Contain("report.poseAt"));
-        Assert.That(_browser.Get<bool>("document.getElementById('said').hidden"), Is.True);
+        Assert.That(Browser.Get<bool>("document.getElementById('said').hidden"), Is.True);
     }
 
     [Test]
     public void Curves_are_drawn_when_they_are_looked_at_and_grow()
     {
-        Assert.That(_browser.Get<bool>("window.Plotly === undefined"), Is.True);
-        _browser.Do("document.getElementById('plots-part').open = true");
+        Assert.That(Browser.Get<bool>("window.Plotly === undefined"), Is.True);
+        Browser.Do("document.getElementById('plots-part').open = true");
 
-        Assert.That(_browser.Becomes("document.getElementById('curves').data?.length === 6"), Is.True);
-        int points = _browser.Get<int>("document.getElementById('curves').data[0].x.length");
-        Assert.That(_browser.Becomes($"document.getElementById('curves').data[0].x.length > {points}"), Is.True);
+        Assert.That(Browser.Becomes("document.getElementById('curves').data?.length === 6"), Is.True);
+        int points = Browser.Get<int>("document.getElementById('curves').data[0].x.length");
+        Assert.That(Browser.Becomes($"document.getElementById('curves').data[0].x.length > {points}"), Is.True);
     }
 
-    private void Key(string kind, string key) => _browser.Do($"dispatchEvent(new KeyboardEvent('{kind}', {{ key: '{key}', code: '{key}' }}))");
+    private void Key(string kind, string key) => Browser.Do($"dispatchEvent(new KeyboardEvent('{kind}', {{ key: '{key}', code: '{key}' }}))");
 
-    private void Finger(string kind, int finger, string key) => _browser.Do(
+    private void Finger(string kind, int finger, string key) => Browser.Do(
         $"const key = document.querySelector('[data-key={key}]'); key.setPointerCapture = () => {{ }}; key.dispatchEvent(new PointerEvent('{kind}', {{ pointerId: {finger}, button: 0, bubbles: true }}))");
 
-    private void Choose(string list, string value) => _browser.Do(
+    private void Choose(string list, string value) => Browser.Do(
         $"const list = document.getElementById('{list}'); list.value = '{value}'; list.dispatchEvent(new Event('change'))");
 }

@@ -76,12 +76,7 @@ public sealed class PlayedBitsTests
     /// <summary>Plays in Node; the paths of what came out, without their endings.</summary>
     private static string Play(TemporaryFolder folder, string scene, string rule, bool ownKeys)
     {
-        string program = Root.File("artifacts/publish/Play/release/wwwroot/_framework");
-        if (!File.Exists(Path.Combine(program, "dotnet.js")))
-        {
-            Assert.Ignore("the site is not built: dotnet run -c Release --project MyRigidbody.Web -- --out artifacts/site");
-        }
-
+        string program = Path.GetDirectoryName(SiteFiles.Built("artifacts/publish/Play/release/wwwroot/_framework/dotnet.js"))!;
         string played = folder.File("played");
         using Process? node = Start([Root.File("tests/MyRigidbody.BrowserTests/played.mjs"), program, Root.File("scenes"), scene, rule, ownKeys ? "true" : "false", Steps.ToString(CultureInfo.InvariantCulture), played]);
         if (node == null)

@@ -8,19 +8,7 @@ namespace RigidBodyDynamics.BrowserTests;
 internal static class SiteFiles
 {
     /// <summary>Their folder; the test is skipped where the site was not built.</summary>
-    public static string Folder
-    {
-        get
-        {
-            string folder = Root.File("artifacts/site");
-            if (!File.Exists(Path.Combine(folder, "index.html")))
-            {
-                Assert.Ignore("the site is not built: dotnet run -c Release --project MyRigidbody.Web -- --out artifacts/site");
-            }
-
-            return folder;
-        }
-    }
+    public static string Folder => Path.GetDirectoryName(Built("artifacts/site/index.html"))!;
 
     /// <summary>All of them by their names in the site, without those that lie packed beside a plain one.</summary>
     public static string[] Names =>
@@ -35,6 +23,17 @@ internal static class SiteFiles
 
     /// <summary>One of them.</summary>
     public static string InFolder(string name) => Path.Combine(Folder, name);
+
+    /// <summary>A file that the build of the site writes; the test is skipped where it did not.</summary>
+    public static string Built(string path)
+    {
+        if (!File.Exists(Root.File(path)))
+        {
+            Assert.Ignore($"no {path} here (dotnet run -c Release --project MyRigidbody.Web -- --out artifacts/site)");
+        }
+
+        return Root.File(path);
+    }
 
     private static bool IsPackedBeside(string name) => name.EndsWith(".br", StringComparison.Ordinal) || name.EndsWith(".gz", StringComparison.Ordinal);
 }

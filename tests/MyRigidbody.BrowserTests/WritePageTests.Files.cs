@@ -31,7 +31,7 @@ public sealed partial class WritePageTests
         Choose(Root.File("tests/data/submissions/packages/210841005_学生五.unitypackage"));
 
         Assert.That(Lamps(), Is.All.EqualTo("right"));
-        Assert.That(_browser.Find(".write .beside").Text, Does.Contain(".cs"));
+        Assert.That(Browser.Find(".write .beside").Text, Does.Contain(".cs"));
     }
 
     [Test]
@@ -39,16 +39,16 @@ public sealed partial class WritePageTests
     {
         File.WriteAllText(_folder.File("first.cs"), Starter + "// first");
         File.WriteAllText(_folder.File("second.cs"), Starter + "// second");
-        _browser.Find(".write input[type=file]").SendKeys(_folder.File("first.cs") + "\n" + _folder.File("second.cs"));
-        Assert.That(_browser.Becomes("document.querySelector('.write .choice').open"), Is.True);
+        Browser.Find(".write input[type=file]").SendKeys(_folder.File("first.cs") + "\n" + _folder.File("second.cs"));
+        Assert.That(Browser.Becomes("document.querySelector('.write .choice').open"), Is.True);
 
-        _browser.Press(Keys.ArrowDown + Keys.Enter);
-        if (_browser.Get<bool>("document.querySelector('.write .choice').open"))
+        Browser.Press(Keys.ArrowDown + Keys.Enter);
+        if (Browser.Get<bool>("document.querySelector('.write .choice').open"))
         {
-            _browser.Find(".write .choice button[value=yes]").Click();
+            Browser.Find(".write .choice button[value=yes]").Click();
         }
 
-        Assert.That(_browser.Becomes("lab.write.editor.text.endsWith('// second')"), Is.True);
+        Assert.That(Browser.Becomes("lab.write.editor.text.endsWith('// second')"), Is.True);
     }
 
     [TestCase("210841008_学生八.unitypackage")]
@@ -61,10 +61,10 @@ public sealed partial class WritePageTests
             File.WriteAllText(file = _folder.File(name), "no script");
         }
 
-        _browser.Find(".write input[type=file]").SendKeys(file);
+        Browser.Find(".write input[type=file]").SendKeys(file);
 
-        Assert.That(_browser.Becomes("document.querySelector('.write .news.refused:not([hidden])') !== null"), Is.True);
-        Assert.That(_browser.Find(".write .news").Text, Does.StartWith(name).And.Not.Contain("\n"));
+        Assert.That(Browser.Becomes("document.querySelector('.write .news.refused:not([hidden])') !== null"), Is.True);
+        Assert.That(Browser.Find(".write .news").Text, Does.StartWith(name).And.Not.Contain("\n"));
         Assert.That(Text(), Is.EqualTo(before));
     }
 
@@ -74,14 +74,14 @@ public sealed partial class WritePageTests
         Choose(Root.File("tests/data/submissions/class/210840329_学生四七/MyRigidbody.cs"));
         string[] lamps = Lamps();
         string saved = Directory.CreateDirectory(_folder.File("saved")).FullName;
-        _browser.SaveTo(saved);
+        Browser.SaveTo(saved);
 
-        _browser.Find(".write .download").Click();
-        _browser.Find(".write .hand-in").Click();
-        _browser.Press("20211130" + Keys.Tab + "张三" + Keys.Enter);
-        Assert.That(_browser.Becomes("document.querySelector('.write .refusal').textContent"), Is.True, "a day is no number");
-        _browser.Find(".write .pack input").Clear();
-        _browser.Find(".write .pack input").SendKeys("210840007" + Keys.Enter);
+        Browser.Find(".write .download").Click();
+        Browser.Find(".write .hand-in").Click();
+        Browser.Press("20211130" + Keys.Tab + "张三" + Keys.Enter);
+        Assert.That(Browser.Becomes("document.querySelector('.write .refusal').textContent"), Is.True, "a day is no number");
+        Browser.Find(".write .pack input").Clear();
+        Browser.Find(".write .pack input").SendKeys("210840007" + Keys.Enter);
 
         string script = Path.Combine(saved, "MyRigidbody.cs"), package = Path.Combine(saved, "210840007_张三.unitypackage");
         Assert.That(() => File.Exists(script) && File.Exists(package), Is.True.After(5000, 50));
@@ -97,9 +97,9 @@ public sealed partial class WritePageTests
 
     private void Choose(string file)
     {
-        _browser.Do("lab.write.opened = false; lab.addEventListener('verdict', () => lab.write.opened = true, { once: true })");
-        _browser.Find(".write input[type=file]").SendKeys(file);
-        Assert.That(_browser.Becomes("lab.write.opened", 90), Is.True, "was not opened");
+        Browser.Do("lab.write.opened = false; lab.addEventListener('verdict', () => lab.write.opened = true, { once: true })");
+        Browser.Find(".write input[type=file]").SendKeys(file);
+        Assert.That(Browser.Becomes("lab.write.opened", 90), Is.True, "was not opened");
         WaitForVerdict();
     }
 }

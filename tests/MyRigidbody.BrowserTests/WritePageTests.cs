@@ -7,22 +7,18 @@ using RigidBodyDynamics.Tests.Repository;
 namespace RigidBodyDynamics.BrowserTests;
 
 /// <summary>The Write part of the lab, as a student uses it: from the starter to five lamps, by typing.</summary>
-public sealed partial class WritePageTests
+public sealed partial class WritePageTests : LabPageFixture
 {
     // the page has the verdict on the text that it shows
     private const string Judged = "window.lab?.write && document.querySelector('.write .outcome').textContent && !document.querySelector('.write.stale')";
 
     private static readonly string[] Steps = ["velocity", "angularVelocity", "position", "orientation", "damping"];
 
-    private Browser _browser = null!;
-    private LabSite _site = null!;
     private TemporaryFolder _folder = null!;
 
     [OneTimeSetUp]
     public void Start()
     {
-        _site = new LabSite();
-        _browser = new Browser();
         _folder = new TemporaryFolder();
         Visit("zh");
     }
@@ -31,22 +27,14 @@ public sealed partial class WritePageTests
     [SetUp]
     public void Begin()
     {
-        _browser.Resize(1200, 900);
-        _browser.Do("report.setLanguage('zh'); document.querySelectorAll('dialog').forEach(dialog => dialog.close())");
-        _browser.Do("if (lab.write.editor.text !== lab.write.starter) lab.set({ script: { text: lab.write.starter } })");
+        Browser.Resize(1200, 900);
+        Browser.Do("report.setLanguage('zh'); document.querySelectorAll('dialog').forEach(dialog => dialog.close())");
+        Browser.Do("if (lab.write.editor.text !== lab.write.starter) lab.set({ script: { text: lab.write.starter } })");
         WaitForVerdict();
     }
 
-    [TearDown]
-    public void Nothing_complains() => Assert.That(_browser.Complaints(), Is.Empty);
-
     [OneTimeTearDown]
-    public void Stop()
-    {
-        _browser?.Dispose();
-        _site?.Dispose();
-        _folder?.Dispose();
-    }
+    public void Stop() => _folder?.Dispose();
 
     [Test]
     public void A_student_types_the_five_steps_and_five_lamps_turn_right()
@@ -65,15 +53,15 @@ public sealed partial class WritePageTests
         for (int step = 0; step < typed.Length; step++)
         {
             Lamp(step).Click();
-            _browser.Press(Keys.End + Keys.Enter);
+            Browser.Press(Keys.End + Keys.Enter);
             Type(typed[step]);
 
             Assert.That(Lamps(), Is.EqualTo(Steps.Select((_, i) => i <= step ? "right" : "missing")));
         }
 
-        _browser.Photograph("write-right");
-        Assert.That(_browser.Find(".write .outcome").Text, Is.EqualTo("五个步骤全部正确。"));
-        Assert.That(_browser.Find(".write .comments").Text, Does.Contain("10").And.Contain("9"));
+        Browser.Photograph("write-right");
+        Assert.That(Browser.Find(".write .outcome").Text, Is.EqualTo("五个步骤全部正确。"));
+        Assert.That(Browser.Find(".write .comments").Text, Does.Contain("10").And.Contain("9"));
         Assert.That(Shadow(".sign.bare").Length, Is.EqualTo(1));
     }
 
@@ -97,14 +85,14 @@ public sealed partial class WritePageTests
     public void An_error_is_underlined_as_one_types_and_F8_goes_to_it()
     {
         Lamp(0).Click();
-        _browser.Press(Keys.End + Keys.Enter);
+        Browser.Press(Keys.End + Keys.Enter);
         Type("w = 0.5f;");
 
         Assert.That(Shadow(".cm-lintRange-error"), Is.Not.Empty);
-        _browser.Press(Keys.Home + Keys.ArrowUp + Keys.ArrowUp + Keys.F8);
+        Browser.Press(Keys.Home + Keys.ArrowUp + Keys.ArrowUp + Keys.F8);
 
         Assert.That(Shadow(".here").Single(), Does.StartWith("第 49 行：").And.Contain("CS"));
-        Assert.That(_browser.Becomes("document.querySelector('.write .editor').shadowRoot.querySelector('.cm-diagnostic-error')"), Is.True, "shown at its place, too");
+        Assert.That(Browser.Becomes("document.querySelector('.write .editor').shadowRoot.querySelector('.cm-diagnostic-error')"), Is.True, "shown at its place, too");
     }
 
     [Test]
@@ -112,7 +100,7 @@ public sealed partial class WritePageTests
     {
         Replace("// TODO 更新速度", "while (true) { }");
 
-        Assert.That(_browser.Find(".write .outcome").Text, Is.EqualTo("Update 不会结束：存在死循环。"));
+        Assert.That(Browser.Find(".write .outcome").Text, Is.EqualTo("Update 不会结束：存在死循环。"));
         Assert.That(Lamps(), Is.All.EqualTo("unknown"));
 
         Replace("while (true) { }", "v += force / mass * dt;");
@@ -125,17 +113,17 @@ public sealed partial class WritePageTests
     {
         Replace("// TODO 更新速度", "GetComponent<Rigidbody>().velocity = v;");
 
-        Assert.That(_browser.Find(".write .outcome").Text, Does.Contain("Rigidbody"));
+        Assert.That(Browser.Find(".write .outcome").Text, Does.Contain("Rigidbody"));
     }
 
     [Test]
     public void A_lamp_of_the_text_before_is_marked_until_the_new_verdict()
     {
-        _browser.Do("lab.write.editor.replace('// nothing')");
+        Browser.Do("lab.write.editor.replace('// nothing')");
 
-        Assert.That(_browser.Get<string>("document.querySelector('.write .step').textContent"), Does.Contain("改动前"));
+        Assert.That(Browser.Get<string>("document.querySelector('.write .step').textContent"), Does.Contain("改动前"));
         WaitForVerdict();
-        Assert.That(_browser.Get<string>("document.querySelector('.write .step').textContent"), Does.Not.Contain("改动前"));
+        Assert.That(Browser.Get<string>("document.querySelector('.write .step').textContent"), Does.Not.Contain("改动前"));
     }
 
     [Test]
@@ -146,13 +134,13 @@ public sealed partial class WritePageTests
         Visit("zh");
         Assert.That(Text(), Is.EqualTo(mine));
 
-        _browser.Find(".write .restart").Click();
+        Browser.Find(".write .restart").Click();
         Assert.That(Text(), Is.EqualTo(mine), "asks first");
-        _browser.Find(".write .restarting button[value=yes]").Click();
-        Assert.That(_browser.Becomes("lab.write.editor.text === lab.write.starter"), Is.True);
+        Browser.Find(".write .restarting button[value=yes]").Click();
+        Assert.That(Browser.Becomes("lab.write.editor.text === lab.write.starter"), Is.True);
         Assert.That(Text(), Is.EqualTo(Starter));
 
-        _browser.Find(".write .back").Click();
+        Browser.Find(".write .back").Click();
         Assert.That(Text(), Is.EqualTo(mine));
     }
 
@@ -164,47 +152,47 @@ public sealed partial class WritePageTests
     {
         Lamp(0).Click();
         string before = Text();
-        _browser.Press(Keys.Tab);
+        Browser.Press(Keys.Tab);
         Assert.That(Text(), Has.Length.EqualTo(before.Length + 4));
 
-        _browser.Press(Keys.Escape + Keys.Tab);
+        Browser.Press(Keys.Escape + Keys.Tab);
 
-        Assert.That(_browser.Get<bool>("document.activeElement === document.querySelector('.write .editor')"), Is.False);
+        Assert.That(Browser.Get<bool>("document.activeElement === document.querySelector('.write .editor')"), Is.False);
     }
 
     [TestCase("zh")]
     [TestCase("en")]
     public void Names_of_steps_are_those_of_check_before_it_is_there(string language)
     {
-        _browser.Do($"report.setLanguage('{language}')");
+        Browser.Do($"report.setLanguage('{language}')");
         string[] judged = Texts(".write .step .of");
 
-        Assert.That(Enumerable.Range(0, 5).Select(step => _browser.Get<string>($"report.word('write.step.{step}')")), Is.EqualTo(judged));
+        Assert.That(Enumerable.Range(0, 5).Select(step => Browser.Get<string>($"report.word('write.step.{step}')")), Is.EqualTo(judged));
     }
 
     [Test]
     public void The_lamps_stand_above_the_editor_on_a_phone_and_nothing_is_cut_off()
     {
-        _browser.Resize(390, 844, isPhone: true);
-        _browser.Do("document.getElementById('write-part').scrollIntoView()");
-        _browser.Photograph("write-phone");
+        Browser.Resize(390, 844, isPhone: true);
+        Browser.Do("document.getElementById('write-part').scrollIntoView()");
+        Browser.Photograph("write-phone");
 
-        Assert.That(_browser.Get<int>("document.documentElement.scrollWidth"), Is.LessThanOrEqualTo(390));
-        Assert.That(_browser.Get<double>("document.querySelector('.write .lamps').getBoundingClientRect().bottom - document.querySelector('.write .editor').getBoundingClientRect().top"), Is.LessThan(0));
-        Assert.That(_browser.Get<bool>("[...document.querySelectorAll('.write .step')].every(step => step.scrollWidth <= step.clientWidth)"), Is.True);
+        Assert.That(Browser.Get<int>("document.documentElement.scrollWidth"), Is.LessThanOrEqualTo(390));
+        Assert.That(Browser.Get<double>("document.querySelector('.write .lamps').getBoundingClientRect().bottom - document.querySelector('.write .editor').getBoundingClientRect().top"), Is.LessThan(0));
+        Assert.That(Browser.Get<bool>("[...document.querySelectorAll('.write .step')].every(step => step.scrollWidth <= step.clientWidth)"), Is.True);
     }
 
     private static string Starter => File.ReadAllText(Root.File("UnityProject/Assets/MyRigidbodyStarter/MyRigidbody.cs"));
 
     private void Visit(string language)
     {
-        _browser.Visit($"{_site.Address}#tab=write&lang={language}", "window.lab?.write");
+        Browser.Visit($"{Site.Address}#tab=write&lang={language}", "window.lab?.write");
         WaitForVerdict();
     }
 
-    private string Text() => _browser.Get<string>("lab.write.editor.text");
+    private string Text() => Browser.Get<string>("lab.write.editor.text");
 
-    private IWebElement Lamp(int step) => _browser.Find($".write .lamps li:nth-child({step + 1}) button");
+    private IWebElement Lamp(int step) => Browser.Find($".write .lamps li:nth-child({step + 1}) button");
 
     private string[] Lamps() => [.. Array(
         "[...document.querySelectorAll('.write .step')].map(step => step.className.replace('step ', ''))")];
@@ -214,11 +202,11 @@ public sealed partial class WritePageTests
     // the editor is in a shadow root
     private string[] Shadow(string selector) => Array($"[...document.querySelector('.write .editor').shadowRoot.querySelectorAll('{selector}')].map(element => element.textContent)");
 
-    private string[] Array(string expression) => JsonSerializer.Deserialize<string[]>(_browser.Get<string>($"JSON.stringify({expression})"))!;
+    private string[] Array(string expression) => JsonSerializer.Deserialize<string[]>(Browser.Get<string>($"JSON.stringify({expression})"))!;
 
     private void Type(string text)
     {
-        _browser.Press(text);
+        Browser.Press(text);
         WaitForVerdict();
     }
 
@@ -226,10 +214,10 @@ public sealed partial class WritePageTests
 
     private void Show(string text)
     {
-        _browser.Do($"lab.write.editor.replace({JsonSerializer.Serialize(text)})");
+        Browser.Do($"lab.write.editor.replace({JsonSerializer.Serialize(text)})");
         WaitForVerdict();
     }
 
     // seconds at most, but on a machine that does much else
-    private void WaitForVerdict() => Assert.That(_browser.Becomes(Judged, 90), Is.True, "no verdict");
+    private void WaitForVerdict() => Assert.That(Browser.Becomes(Judged, 90), Is.True, "no verdict");
 }
