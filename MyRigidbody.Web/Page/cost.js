@@ -3,6 +3,7 @@ import '../../MyRigidbody.Lab/Report/Page/cost.js';
 import { plotting } from './plotting.js';
 import words from './cost-words.js';
 import { addWords } from './words.js';
+import { workerOf } from './workers.js';
 
 const seconds = 9;
 
@@ -57,7 +58,7 @@ export function startCost(part) {
     byId('stop-measuring').focus();
     part.setAttribute('aria-busy', 'true');
     say('web.cost.loading');
-    const mine = worker = new Worker('cost-worker.js', { type: 'module' });
+    const mine = worker = workerOf('cost-worker.js');
     try {
       const [asked] = await Promise.all([sceneOfPage(), plotting()]);
       if (worker !== mine) {

@@ -1,5 +1,6 @@
 // Asks the workers of scripts, each one request at a time, and is their watch: a script that stops answering ends with its worker.
 // One worker judges, and another plays, so that nothing stands still while a script is judged.
+import { workerOf } from './workers.js';
 
 // s: the meter inside stops a script after one
 const mostSilence = 2.5;
@@ -42,9 +43,7 @@ class Worked {
     }
 
     if (!this.#worker) {
-      // made of a text of the page it has the page's policy, whatever server the files come from
-      const text = `import ${JSON.stringify(new URL('worker.js', document.baseURI).href)}`;
-      this.#worker = new Worker(URL.createObjectURL(new Blob([text], { type: 'text/javascript' })), { type: 'module' });
+      this.#worker = workerOf('worker.js');
       this.#worker.onmessage = ({ data }) => this.#hear(data);
       this.#worker.onerror = () => this.#stop('ended');
     }

@@ -37,7 +37,8 @@ globalThis.scriptRuns = runs => postMessage({ runs });
 // what a script could do harm with, if it got past the list of what it may name
 function takeAway(scope) {
   const all = ['fetch', 'XMLHttpRequest', 'WebSocket', 'WebSocketStream', 'WebTransport', 'EventSource', 'importScripts', 'indexedDB', 'caches', 'BroadcastChannel',
-    'Worker', 'SharedWorker', 'RTCPeerConnection', 'Notification', 'cookieStore', 'storage', 'Request', 'FileReaderSync', 'open', 'close'];
+    'Worker', 'SharedWorker', 'FontFace', 'webkitRequestFileSystem', 'webkitRequestFileSystemSync', 'webkitResolveLocalFileSystemURL',
+    'webkitResolveLocalFileSystemSyncURL', 'RTCPeerConnection', 'Notification', 'cookieStore', 'storage', 'Request', 'FileReaderSync', 'open', 'close'];
   for (let holder = scope; holder && holder !== Object.prototype; holder = Object.getPrototypeOf(holder)) {
     for (const name of [...all, 'navigator']) {
       if (Object.hasOwn(holder, name)) {

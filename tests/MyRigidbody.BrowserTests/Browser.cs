@@ -15,6 +15,7 @@ internal sealed class Browser : IDisposable
 
     private readonly ChromeDriverService _service;
     private readonly ChromeDriver _driver;
+    private readonly List<string> _before = [];
 
     /// <summary>Starts one; the test is skipped where there is none.</summary>
     public Browser(params string[] arguments)
@@ -57,9 +58,19 @@ internal sealed class Browser : IDisposable
         Assert.That(Becomes(ready, seconds), NUnit.Framework.Is.True, $"{address} is not ready: " + string.Join("; ", Complaints()));
     }
 
+    /// <summary>Runs statements of JavaScript in every page that is opened, before it does anything itself.</summary>
+    public void BeforeEachPage(string statements) => _before.Add((string)((Dictionary<string, object>)_driver.ExecuteCdpCommand(
+        "Page.addScriptToEvaluateOnNewDocument", new Dictionary<string, object?> { ["source"] = statements })!)["identifier"]);
+
     /// <summary>Leaves the page, and with it what was set and noted.</summary>
     public void Forget()
     {
+        foreach (string script in _before)
+        {
+            _driver.ExecuteCdpCommand("Page.removeScriptToEvaluateOnNewDocument", new Dictionary<string, object?> { ["identifier"] = script });
+        }
+
+        _before.Clear();
         _driver.Navigate().GoToUrl("about:blank");
         Resize(1200, 900);
         Prefer("light");
