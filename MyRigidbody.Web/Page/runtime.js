@@ -13,10 +13,12 @@ async function unpacked(address, type) {
 // without it the runtime takes every worker for one of its own threads, and waits for a page that runs it
 globalThis.dotnetSidecar = true;
 
-export async function start(folder, assembly) {
+// the environment is that of the runtime, as a process has one
+export async function start(folder, assembly, environment = {}) {
   const address = new URL(`${folder}/_framework/dotnet.js`, import.meta.url).href;
   const { dotnet } = await import(address);
   const runtime = await dotnet
+    .withEnvironmentVariables(environment)
     .withResourceLoader((type, name, path) =>
       name.endsWith('.js') ? path : unpacked(`${path}.bin`, name.endsWith('.wasm') ? 'application/wasm' : 'application/octet-stream'))
     .create();

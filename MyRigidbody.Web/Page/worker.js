@@ -48,7 +48,10 @@ function takeAway(scope) {
   }
 }
 
-const started = start('write', 'MyRigidbody.Web.Write').then(exports => {
+// a script that keeps more is stopped, and the tab does not grow with it
+const heap = { MONO_GC_PARAMS: 'max-heap-size=400m' };
+
+const started = start('write', 'MyRigidbody.Web.Write', heap).then(exports => {
   takeAway(globalThis);
   return exports.RigidBodyDynamics.Web.Write;
 });

@@ -108,6 +108,20 @@ public sealed partial class WritePageTests : LabPageFixture
         Assert.That(Lamps(), Is.EqualTo(new[] { "right", "missing", "missing", "missing", "missing" }));
     }
 
+    // in one frame, in which nobody looks at what it holds but the runtime
+    [Test]
+    public void A_script_that_takes_memory_without_end_is_named_and_the_page_goes_on()
+    {
+        Replace("// TODO 更新速度", "var all = new System.Collections.Generic.List<float[]>(); while (true) all.Add(new float[25000000]);");
+
+        Assert.That(Browser.Find(".write .outcome").Text, Does.Contain("占用的内存过多"));
+        Assert.That(Lamps(), Is.All.EqualTo("unknown"));
+
+        Show(Starter.Replace("// TODO 更新速度", "v += force / mass * dt;", StringComparison.Ordinal));
+
+        Assert.That(Lamps(), Is.EqualTo(new[] { "right", "missing", "missing", "missing", "missing" }));
+    }
+
     [Test]
     public void A_script_that_throws_says_so_in_one_line()
     {
