@@ -114,7 +114,8 @@ namespace UnityEngine
             return Math.Abs(square - 1) < 2e-7 ? turn : square < 1e-10 ? Quaternion.identity : turn.normalized;
         }
 
-        private bool IsValid(string member, float sum, string what, object value)
+        // of a type of its own, because a box a step would cost more than the rest
+        private bool IsValid<T>(string member, float sum, string what, T value) where T : struct
         {
             if (!float.IsNaN(sum) && !float.IsInfinity(sum))
                 return true;

@@ -185,21 +185,13 @@ namespace RigidBodyDynamics.Scripts
             }
         }
 
-        private void TakeStep()
+        private void StepOn()
         {
-            if (_isAsleep && IsAnyKeyHeld())
-                WakeUp();
-
-            BodyState before = _isAsleep ? State : default(BodyState);
             // the length of fixed steps may be changed while the game plays; time goes on from where it is
             if (StepLength == _simulation.Scene.Steps.Length(0))
                 _simulation.Step();
             else
                 _simulation.StepBy(StepLength);
-
-            // time goes on for who sleeps, too
-            if (_isAsleep)
-                Body.State = before;
         }
 
         private BodyDescription Describe(BodyState start)

@@ -121,6 +121,23 @@ namespace RigidBodyDynamics.Scripts
         /// <summary>True from Sleep on until it is woken. Nothing else puts it to sleep.</summary>
         public bool IsSleeping() => _isAsleep;
 
+        private void TakeStep()
+        {
+            if (_isAsleep && IsAnyKeyHeld())
+                WakeUp();
+
+            if (!_isAsleep)
+            {
+                StepOn();
+                return;
+            }
+
+            // time goes on for who sleeps, too
+            BodyState before = State;
+            StepOn();
+            Body.State = before;
+        }
+
         // every frame: the pose between the last two steps, as far as the frame is past the last of them
         private void Update()
         {
