@@ -20,9 +20,11 @@ namespace RigidBodyDynamics.StepTimes
             foreach (Rule rule in Rules.All)
                 rows.Add(new Row("free body by " + rule.Name, Body(rule.Name, new Vector3d(1, 2, 3))));
 
-            rows.Add(new Row("lab's step, by the library", Body("LabEuler", new Vector3d(0.5, 0.5, 0.5))
-                .With(new Gravity(new Vector3d(0, -9.81, 0))).With(new DecayPerStep(0.98, 0.98))
-                .With(new Force(new Vector3d(5, 1, 2))).With(new KeyPush(LabKey.R))));
+            Vector3d push = new Vector3d(5, 1, 2);
+            BodyDescription free = Body("LabEuler", new Vector3d(1, 2, 3)), cube = Body("LabEuler", new Vector3d(0.5, 0.5, 0.5));
+            rows.Add(new Row("free body, number by number by hand", free, new ByHand(free, Vector3d.Zero, 0, 1, isTurned: false)));
+            rows.Add(new Row("lab's step, number by number by hand", Lab(cube, push), new ByHand(cube, push, -9.81, 0.98, isTurned: true)));
+            rows.Add(new Row("lab's step, by the library", Lab(cube, push)));
 
             foreach (Row row in rows)
                 row.Warm();
@@ -37,6 +39,9 @@ namespace RigidBodyDynamics.StepTimes
                 Console.WriteLine(row.What + "," + row.Least.ToString("R", CultureInfo.InvariantCulture));
         }
 
+        private static BodyDescription Lab(BodyDescription cube, Vector3d push) => cube.Copy(cube.Name, cube.Mass)
+            .With(new Gravity(new Vector3d(0, -9.81, 0))).With(new DecayPerStep(0.98, 0.98)).With(new Force(push)).With(new KeyPush(LabKey.R));
+
         private static BodyDescription Body(string rule, Vector3d moments) => new BodyDescription("body", MassProperties.FromPrincipal(1, moments))
         {
             Rule = Rules.Named(rule),
@@ -46,16 +51,27 @@ namespace RigidBodyDynamics.StepTimes
 
         private sealed class Row
         {
-            private readonly Simulation _simulation;
+            private readonly Action<long> _go;
             private readonly List<double> _times = new List<double>();
             private long _steps = 1;
 
-            public Row(string what, BodyDescription body)
+            /// <param name="what">What it is.</param>
+            /// <param name="body">The body, moved by the library.</param>
+            /// <param name="byHand">Whose steps are timed instead; it comes to the same bits.</param>
+            public Row(string what, BodyDescription body, ByHand byHand = null)
             {
                 What = what;
                 // what a step costs is asked for, so each is taken
-                _simulation = new Simulation(
+                Simulation simulation = new Simulation(
                     new SceneDescription("rules", string.Empty, TimeSteps.Every(0.02), new[] { body }), Omissions.All & ~Omissions.Coasting);
+                _go = byHand == null ? simulation.Step : (Action<long>)byHand.Step;
+                if (byHand == null)
+                    return;
+
+                simulation.Step(200);
+                byHand.Step(200);
+                if (!byHand.State.Equals(simulation.Bodies[0].State))
+                    throw new InvalidOperationException(what + ": " + byHand.State + " is not " + simulation.Bodies[0].State);
             }
 
             public string What { get; }
@@ -82,7 +98,7 @@ namespace RigidBodyDynamics.StepTimes
             private double Seconds()
             {
                 Stopwatch clock = Stopwatch.StartNew();
-                _simulation.Step(_steps);
+                _go(_steps);
                 return clock.Elapsed.TotalSeconds;
             }
         }
