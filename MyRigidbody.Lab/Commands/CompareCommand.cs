@@ -1,4 +1,5 @@
 using System.CommandLine;
+using RigidBodyDynamics.Lab.Animation;
 using RigidBodyDynamics.Lab.Comparison;
 using RigidBodyDynamics.Lab.Output;
 using RigidBodyDynamics.Lab.Report;
@@ -83,7 +84,7 @@ internal static class CompareCommand
 
         Pictures.NoteIfThereAreNoFonts();
         using Files files = new(folder, folder, file.Inputs);
-        files.Write("trajectory.csv", to => WriteTrajectory(trajectory, file.Path, to));
+        files.Write("trajectory.csv", to => TrajectoryCsv.Write(trajectory, file.Path, to));
         files.Write("apart.csv", to => File.WriteAllText(to, CompareSummary.Csv(found)));
         files.Write("summary.json", to => File.WriteAllText(to, CompareSummary.Json(scene, found)));
         for (int i = 0; i < found.Count; i++)
@@ -118,21 +119,5 @@ internal static class CompareCommand
 
         Terminal.WriteLine();
         Terminal.WriteText($"Written to {folder}: trajectory.csv, apart.csv, summary.json, pictures (.png, .svg), replay.png, which moves, and {Reports.FileName}, to open in the browser");
-    }
-
-    /// <summary>The trajectories of all bodies, every step.</summary>
-    internal static void WriteTrajectory(Simulation simulation, string path, string to)
-    {
-        using FileStream file = new(to, FileMode.Create);
-        using TrajectoryCsv csv = new(file);
-        csv.WriteHeader();
-        RunCommand.MustBeFinite(simulation, path);
-        csv.WriteRows(simulation);
-        while (simulation.StepsDone < simulation.Scene.Steps.Count)
-        {
-            simulation.Step();
-            RunCommand.MustBeFinite(simulation, path);
-            csv.WriteRows(simulation);
-        }
     }
 }

@@ -1,7 +1,6 @@
 using System.CommandLine;
 using System.Globalization;
 using System.Text.Json;
-using RigidBodyDynamics.Lab.Explain;
 using RigidBodyDynamics.Lab.Languages;
 using RigidBodyDynamics.Lab.Output;
 

@@ -107,7 +107,7 @@ internal static class RunCommand
         long count = simulation.Scene.Steps.Count;
         if (every > 0)
         {
-            MustBeFinite(simulation, path);
+            RunAway.MustBeFinite(simulation, path);
             csv.WriteRows(simulation);
         }
 
@@ -125,7 +125,7 @@ internal static class RunCommand
                 MustEnd(path, Environment.TickCount64 - started, simulation.StepsDone, count);
                 if (simulation.StepsDone == next)
                 {
-                    MustBeFinite(simulation, path);
+                    RunAway.MustBeFinite(simulation, path);
                     csv.WriteRows(simulation);
                     next = every == 0 || next > count - every ? count : next + every;
                 }
@@ -147,16 +147,4 @@ internal static class RunCommand
     }
 
     /// <summary>A row of a table is written only if all of it is finite: states are, and a mass may be too large for their energy.</summary>
-    internal static void MustBeFinite(Simulation simulation, string path)
-    {
-        foreach (Body body in simulation.Bodies)
-        {
-            BodyState state = body.State;
-            if (!Guard.IsFinite(Conserved.KineticEnergy(state, body.Mass)) || !Conserved.AngularMomentum(state, body.Mass).IsFinite)
-            {
-                throw new FellShortException(
-                    $"{path}: body {ManyBodies.NameOf(body)}: {body.Rule.Name} has run away: no finite energy or angular momentum after step {simulation.StepsDone}");
-            }
-        }
-    }
 }

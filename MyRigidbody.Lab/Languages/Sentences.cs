@@ -1,6 +1,5 @@
 using System.Reflection;
 using System.Text.RegularExpressions;
-using RigidBodyDynamics.Lab.Report;
 
 namespace RigidBodyDynamics.Lab.Languages;
 

@@ -1,4 +1,5 @@
 using System.Globalization;
+using RigidBodyDynamics.Lab.Languages;
 
 namespace RigidBodyDynamics.Lab.Report;
 

@@ -3,6 +3,7 @@ using System.Text.Encodings.Web;
 using System.Text.Unicode;
 using Fluid;
 using Fluid.Values;
+using RigidBodyDynamics.Lab.Languages;
 
 namespace RigidBodyDynamics.Lab.Report;
 

@@ -1,4 +1,5 @@
 using System.Reflection;
+using RigidBodyDynamics.Lab.Languages;
 
 namespace RigidBodyDynamics.Lab.Report;
 

@@ -1,3 +1,5 @@
+using RigidBodyDynamics.Lab.Languages;
+
 namespace RigidBodyDynamics.Lab.Report;
 
 /// <summary>What each body's motion consists of and what was left out: what <c>explain</c> prints, of the same explanation.</summary>

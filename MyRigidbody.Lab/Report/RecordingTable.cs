@@ -1,3 +1,5 @@
+using RigidBodyDynamics.Lab.Languages;
+
 namespace RigidBodyDynamics.Lab.Report;
 
 /// <summary>How far our simulation is from a recorded body.</summary>

@@ -1,5 +1,6 @@
 using System.Globalization;
 using RigidBodyDynamics.Lab.Comparison;
+using RigidBodyDynamics.Lab.Languages;
 
 namespace RigidBodyDynamics.Lab.Report;
 

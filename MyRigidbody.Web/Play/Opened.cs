@@ -2,6 +2,7 @@ using System.Text;
 using System.Text.Encodings.Web;
 using System.Text.Json;
 using System.Text.Unicode;
+using RigidBodyDynamics.Lab.Languages;
 using RigidBodyDynamics.Lab.Report;
 
 namespace RigidBodyDynamics.Web.Play;

@@ -1,6 +1,7 @@
 using System.Runtime.InteropServices.JavaScript;
 using RigidBodyDynamics.Lab;
 using RigidBodyDynamics.Lab.Comparison;
+using RigidBodyDynamics.Lab.Languages;
 using RigidBodyDynamics.Lab.Report;
 
 namespace RigidBodyDynamics.Web.Write;

@@ -4,6 +4,7 @@ using System.Text;
 using RigidBodyDynamics.Lab;
 using RigidBodyDynamics.Lab.Commands;
 using RigidBodyDynamics.Lab.Output;
+using RigidBodyDynamics.Lab.Report;
 
 namespace RigidBodyDynamics.Fuzz;
 
@@ -132,7 +133,7 @@ internal sealed class Reading(string folder)
             for (int i = 0; i < steps; i++)
             {
                 bodies.Step(1);
-                RunCommand.MustBeFinite(bodies, Path);
+                RunAway.MustBeFinite(bodies, Path);
             }
 
             csv.WriteRows(bodies);

@@ -1,6 +1,7 @@
 using System.Diagnostics;
 using System.Runtime.InteropServices.JavaScript;
 using System.Text.Json.Nodes;
+using RigidBodyDynamics.Lab.Languages;
 using RigidBodyDynamics.Lab;
 using RigidBodyDynamics.Lab.Report;
 

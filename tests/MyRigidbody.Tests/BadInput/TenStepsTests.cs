@@ -1,4 +1,5 @@
 using NUnit.Framework;
+using RigidBodyDynamics.Lab.Report;
 
 namespace RigidBodyDynamics.Tests;
 

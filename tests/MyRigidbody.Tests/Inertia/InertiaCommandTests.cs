@@ -31,7 +31,7 @@ public sealed class InertiaCommandTests
     public void Page_shows_what_is_printed_and_has_every_code(string page)
     {
         LabProcess run = LabProcess.Run(Root.Path, "inertia", "tests/data/robots/mistake-about-origin.urdf");
-        string[] sources = [.. new[] { "Diagnosis.cs", "GeometryDiagnosis.cs", "InertiaFile.cs", "Robots/UrdfReader.cs", "Robots/MjcfReader.cs" }.Select(file => Tree.Text("MyRigidbody.Lab/Inertia/" + file))];
+        string[] sources = [.. new[] { "Diagnosis.cs", "GeometryDiagnosis.cs", "InertiaFile.cs", "Robots/UrdfReader.cs", "Robots/MjcfReader.cs" }.Select(file => Tree.Text("MyRigidbody.Lab/Input/Inertia/" + file))];
         IEnumerable<string> codes = sources.SelectMany(source => Regex.Matches(source, "(?:Finding|return )\\(\"([a-z-]+)\"").Select(match => match.Groups[1].Value)).Distinct();
 
         Assert.That(PageText.Block(page, "<!-- inertia -->"), Is.EqualTo(run.Output.TrimEnd('\n').Split('\n')));

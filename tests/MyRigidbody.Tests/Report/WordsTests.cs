@@ -3,6 +3,7 @@ using AngleSharp.Dom;
 using NUnit.Framework;
 using RigidBodyDynamics.Lab;
 using RigidBodyDynamics.Lab.Comparison;
+using RigidBodyDynamics.Lab.Languages;
 using RigidBodyDynamics.Lab.Report;
 using RigidBodyDynamics.Tests.Repository;
 
@@ -36,7 +37,7 @@ public sealed partial class WordsTests
     public void Every_text_that_is_asked_for_is_there_and_no_other()
     {
         string[] inScripts = [.. Scripts.SelectMany(path => ScriptWord().Matches(Tree.Text(path))).Concat(DataWord().Matches(Template)).Select(match => match.Groups[1].Value)];
-        string sources = string.Concat(Tree.Files("MyRigidbody.Lab/Report", "*.cs").Select(Tree.Text)) + Tree.Text("MyRigidbody.Lab/Comparison/RecordingComparison.cs");
+        string sources = string.Concat(Tree.Files("MyRigidbody.Lab/Report", "*.cs").Select(Tree.Text)) + Tree.Text("MyRigidbody.Lab/Commands/RecordingComparison.cs");
         string[] inTemplate = [.. TemplateWord().Matches(Template).Concat(SourceWord().Matches(sources)).Select(match => match.Groups[1].Value)];
         string[] sections = ["replay", "plots", "rules", "recording", "plan", "cost", "facts", "check"];
 

@@ -2,6 +2,7 @@ using System.Globalization;
 using NUnit.Framework;
 using RigidBodyDynamics.Lab;
 using RigidBodyDynamics.Lab.Comparison;
+using RigidBodyDynamics.Lab.Languages;
 using RigidBodyDynamics.Lab.Report;
 
 namespace RigidBodyDynamics.Tests.Repository;

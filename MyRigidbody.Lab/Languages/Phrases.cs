@@ -1,6 +1,6 @@
 using System.Text.RegularExpressions;
 
-namespace RigidBodyDynamics.Lab.Report;
+namespace RigidBodyDynamics.Lab.Languages;
 
 /// <summary>What plans, rules and effects say of themselves, part by part, and the same in Chinese.</summary>
 internal static class Phrases

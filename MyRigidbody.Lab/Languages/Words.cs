@@ -1,6 +1,6 @@
 using RigidBodyDynamics.Judging;
 
-namespace RigidBodyDynamics.Lab.Report;
+namespace RigidBodyDynamics.Lab.Languages;
 
 /// <summary>A text in the two languages of a page.</summary>
 internal sealed record Word(string En, string Zh)

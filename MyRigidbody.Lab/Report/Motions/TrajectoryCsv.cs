@@ -1,8 +1,9 @@
 using System.Buffers;
 using System.Globalization;
 using System.Text;
+using RigidBodyDynamics.Lab.Output;
 
-namespace RigidBodyDynamics.Lab.Output;
+namespace RigidBodyDynamics.Lab.Report;
 
 /// <summary>The trajectory as CSV: a row a body and step, numbers that read back to the same bits.</summary>
 /// <remarks>Digits cost more than the motion, so rows are collected, and pieces of them put into words on all processors.</remarks>
@@ -14,6 +15,22 @@ internal sealed class TrajectoryCsv(Stream stream) : IDisposable
     private readonly Row[] _rows = new Row[Pieces * RowsOfPiece];
     private readonly ArrayBufferWriter<byte>[] _pieces = [.. Enumerable.Range(0, Pieces).Select(_ => new ArrayBufferWriter<byte>())];
     private int _count;
+
+    /// <summary>All bodies of a simulation, at the start and after every step, into a file.</summary>
+    public static void Write(Simulation simulation, string path, string to)
+    {
+        using FileStream file = new(to, FileMode.Create);
+        using TrajectoryCsv csv = new(file);
+        csv.WriteHeader();
+        RunAway.MustBeFinite(simulation, path);
+        csv.WriteRows(simulation);
+        while (simulation.StepsDone < simulation.Scene.Steps.Count)
+        {
+            simulation.Step();
+            RunAway.MustBeFinite(simulation, path);
+            csv.WriteRows(simulation);
+        }
+    }
 
     /// <summary>The first line.</summary>
     public void WriteHeader() => stream.Write("body,step,t,px,py,pz,qw,qx,qy,qz,vx,vy,vz,wx,wy,wz,Lx,Ly,Lz,kineticEnergy,asleep\n"u8);

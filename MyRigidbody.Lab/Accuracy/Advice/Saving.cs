@@ -1,4 +1,4 @@
-namespace RigidBodyDynamics.Lab.Explain;
+namespace RigidBodyDynamics.Lab;
 
 /// <summary>What is left out of a body's motion, and the time that saves.</summary>
 /// <param name="Omission">What, and why.</param>

@@ -1,9 +1,9 @@
-using RigidBodyDynamics.Lab.Animation;
 using RigidBodyDynamics.Lab.Output;
+using RigidBodyDynamics.Lab.Report;
 using ScottPlot;
 using ScottPlot.Plottables;
 
-namespace RigidBodyDynamics.Lab.Report;
+namespace RigidBodyDynamics.Lab.Animation;
 
 /// <summary>What the page shows of a motion, as pictures for a report on paper and for slides.</summary>
 internal static class MotionPictures

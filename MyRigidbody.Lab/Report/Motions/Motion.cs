@@ -1,4 +1,3 @@
-using RigidBodyDynamics.Lab.Commands;
 using RigidBodyDynamics.Lab.Comparison;
 
 namespace RigidBodyDynamics.Lab.Report;
@@ -90,7 +89,7 @@ internal sealed class Motion
         foreach (long step in Frames.Of(end == long.MaxValue ? end : end + 1, motion.Tracks.Count))
         {
             simulation.Step(step - simulation.StepsDone);
-            RunCommand.MustBeFinite(simulation, file.Path);
+            RunAway.MustBeFinite(simulation, file.Path);
             motion.At.Add(step);
             for (int i = 0; i < motion.Tracks.Count; i++)
             {

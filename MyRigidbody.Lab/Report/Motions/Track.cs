@@ -1,3 +1,5 @@
+using RigidBodyDynamics.Lab.Languages;
+
 namespace RigidBodyDynamics.Lab.Report;
 
 /// <summary>A body as it is drawn: what it looks like, and where it was at every moment of a page.</summary>

@@ -1,6 +1,6 @@
 using System.Globalization;
 
-namespace RigidBodyDynamics.Lab.Inertia;
+namespace RigidBodyDynamics.Lab;
 
 /// <summary>
 /// How far numbers in a file may be from those that they were rounded from. Programs write numbers of a set with as many decimals each (%.6f) or as

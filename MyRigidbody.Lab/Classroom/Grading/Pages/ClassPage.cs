@@ -1,6 +1,7 @@
 using RigidBodyDynamics.Judging;
 using RigidBodyDynamics.Lab.Grading.Likeness;
 using RigidBodyDynamics.Lab.Grading.Marks;
+using RigidBodyDynamics.Lab.Languages;
 using RigidBodyDynamics.Lab.Output;
 using RigidBodyDynamics.Lab.Report;
 

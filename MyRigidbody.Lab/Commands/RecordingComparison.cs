@@ -1,9 +1,11 @@
 using System.Globalization;
-using RigidBodyDynamics.Lab.Commands;
+using RigidBodyDynamics.Lab.Animation;
+using RigidBodyDynamics.Lab.Comparison;
+using RigidBodyDynamics.Lab.Languages;
 using RigidBodyDynamics.Lab.Output;
 using RigidBodyDynamics.Lab.Report;
 
-namespace RigidBodyDynamics.Lab.Comparison;
+namespace RigidBodyDynamics.Lab.Commands;
 
 /// <summary>How far our UnityRigidbody is from a recorded Rigidbody, or the lab's rule from a recorded script, and where it first parts.</summary>
 internal sealed class RecordingComparison
@@ -54,7 +56,7 @@ internal sealed class RecordingComparison
 
         Pictures.NoteIfThereAreNoFonts();
         using Files files = new(folder, folder, file.Inputs);
-        files.Write("trajectory.csv", to => CompareCommand.WriteTrajectory(new Simulation(file.Scene), file.Path, to));
+        files.Write("trajectory.csv", to => TrajectoryCsv.Write(new Simulation(file.Scene), file.Path, to));
         files.Write("summary.json", to => File.WriteAllText(to, found.Json(file.Scene)));
         Motion motion = Motion.Of(file, Words.All["recorded"].With(file.Scene.Bodies[0].Name).En, found._course);
         foreach (string format in new[] { ".png", ".svg" })

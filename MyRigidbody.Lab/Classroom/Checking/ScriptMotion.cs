@@ -1,4 +1,5 @@
 using RigidBodyDynamics.Judging;
+using RigidBodyDynamics.Lab.Languages;
 using RigidBodyDynamics.Lab.Report;
 using Keys = RigidBodyDynamics.Judging.Keys;
 

@@ -1,0 +1,20 @@
+using RigidBodyDynamics.Lab.Output;
+
+namespace RigidBodyDynamics.Lab.Report;
+
+/// <summary>A rule that has lost its body: what follows is no motion, and no file holds it.</summary>
+internal static class RunAway
+{
+    public static void MustBeFinite(Simulation simulation, string path)
+    {
+        foreach (Body body in simulation.Bodies)
+        {
+            BodyState state = body.State;
+            if (!Guard.IsFinite(Conserved.KineticEnergy(state, body.Mass)) || !Conserved.AngularMomentum(state, body.Mass).IsFinite)
+            {
+                throw new FellShortException(
+                    $"{path}: body {ManyBodies.NameOf(body)}: {body.Rule.Name} has run away: no finite energy or angular momentum after step {simulation.StepsDone}");
+            }
+        }
+    }
+}
