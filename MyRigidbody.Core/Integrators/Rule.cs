@@ -179,8 +179,8 @@ namespace RigidBodyDynamics
 
         internal override string Settings(BodyDescription body) => string.Format(
             CultureInfo.InvariantCulture,
-            "drag {0:R} /s, angularDrag {1:R} /s, limit {2:R} rad/s, sleep below {3:R} J/kg of the velocity summed over 0.2 s{4}",
-            body.Unity.Drag, body.Unity.AngularDrag, body.Unity.MaxAngularVelocity, body.Unity.SleepThreshold,
+            "drag {0} /s, angularDrag {1} /s, limit {2} rad/s, sleep below {3} J/kg of the velocity summed over 0.2 s{4}",
+            UnitySettings.AsGiven(body.Unity.Drag), UnitySettings.AsGiven(body.Unity.AngularDrag), UnitySettings.AsGiven(body.Unity.MaxAngularVelocity), UnitySettings.AsGiven(body.Unity.SleepThreshold),
             body.Unity.FirstOrderOrientation ? ", turned by q + [0, ½Δt ω] q" : string.Empty);
 
         // a force wakes it

@@ -58,7 +58,7 @@ internal sealed class RecordingComparison
         using Files files = new(folder, folder, file.Inputs);
         files.Write("trajectory.csv", to => TrajectoryCsv.Write(new Simulation(file.Scene), file.Path, to));
         files.Write("summary.json", to => File.WriteAllText(to, found.Json(file.Scene)));
-        Motion motion = Motion.Of(file, Words.All["recorded"].With(file.Scene.Bodies[0].Name).En, found._course);
+        Motion motion = Motion.Of(file, Words.All["recorded"].With(file.Scene.Bodies[0].Name).En, found._course, knowsSpin: !recording.IsOfScript);
         foreach (string format in new[] { ".png", ".svg" })
         {
             files.Write("apart" + format, to => Pictures.Save(ComparePictures.Apart($"{file.Scene.Name}: how far {file.Scene.Bodies[0].Rule.Name} is from the recording", found._course), to));
@@ -66,7 +66,7 @@ internal sealed class RecordingComparison
 
         MotionPictures.Write(file.Scene.Name, motion, files);
         files.Write(Reports.FileName, to => PageWriter.Write(
-            Reports.Of(file, simulation, new RecordingTable(found.Lead(file.Scene), [.. found.Rows()]), motion), to));
+            Reports.Of(file, simulation, new RecordingTable(found.Lead(file.Scene), found.Verdict(tolerance), [.. found.Rows()]), motion), to));
         files.Keep();
         found.Print(file.Scene, folder);
         return found.Farthest <= tolerance
@@ -140,7 +140,10 @@ internal sealed class RecordingComparison
 
     private Word Lead(SceneDescription scene) => _parts == null
         ? Words.All["recording.same"].With(scene.Bodies[0].Rule.Name, scene.Steps.Count)
-        : Words.All["recording.parts"].With(scene.Bodies[0].Rule.Name, _parts);
+        : Words.All["recording.parts"].With(scene.Bodies[0].Rule.Name, Words.Said(_parts));
+
+    private Word Verdict(double tolerance) => (Farthest <= tolerance ? Words.All["recording.within"] : Words.All["recording.beyond"]).With(
+        Farthest.ToString("G3", CultureInfo.InvariantCulture), tolerance.ToString("G3", CultureInfo.InvariantCulture));
 
     private IEnumerable<RecordingTable.Row> Rows() => _judged.Select((part, i) => new RecordingTable.Row(
         Words.Phrase(part.Name),

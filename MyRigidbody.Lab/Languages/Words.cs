@@ -1,4 +1,5 @@
 using RigidBodyDynamics.Judging;
+using RigidBodyDynamics.Lab.Languages;
 
 namespace RigidBodyDynamics.Lab.Languages;
 
@@ -92,6 +93,8 @@ internal static class Words
         ["recording.same"] = new(
             "{0} repeats all {1} steps of the recording bit for bit.", "{0} 逐位重现了录制的全部 {1} 步。"),
         ["recording.parts"] = new("{0} first parts from the recording at {1}.", "{0} 与录制首次不同：{1}。"),
+        ["recording.within"] = new("The largest difference, {0}, is within the tolerance of {1}.", "最大差别 {0} 不超过容差 {1}。"),
+        ["recording.beyond"] = new("The largest difference, {0}, is above the tolerance of {1}: the comparison fell short.", "最大差别 {0} 超过容差 {1}：比较未达到要求。"),
         ["recording.caption"] = new("Largest differences", "最大差别"),
         ["recording.of"] = new("of", "量"),
         ["recording.largest"] = new("largest difference", "最大差别"),
@@ -135,6 +138,8 @@ internal static class Words
         ["cost.attainable"] = new("attainable in double", "双精度可达"),
         ["cost.others"] = new("other engines, 1/50 s", "其他引擎，1/50 秒"),
 
+        ["table.more"] = new("The table goes on to the right: scroll it.", "表格右侧还有内容，可横向滚动。"),
+
         ["play"] = new("Play", "播放"),
         ["pause"] = new("Pause", "暂停"),
         ["time"] = new("Time", "时间"),
@@ -160,10 +165,14 @@ internal static class Words
         ["axis.time"] = new("time, s", "时间，s"),
         ["axis.angle"] = new("angle between, °", "夹角，°"),
         ["axis.distance"] = new("distance, m", "距离，m"),
+        ["axis.spin"] = new("angular velocities apart, rad/s", "角速度之差，rad/s"),
         ["axis.energy"] = new("kinetic energy, J", "动能，J"),
         ["axis.momentum"] = new("abs(L), kg m²/s", "角动量 |L|，kg m²/s"),
         ["between"] = new("{0} and {1}", "{0} 与 {1}"),
     };
+
+    /// <summary>What the program says in English, in both languages.</summary>
+    public static Word Said(string english) => new(english, Sentences.InChinese(english));
 
     /// <summary>What a plan or a rule says in English, in both languages; what is not known here stays as it is.</summary>
     public static Word Phrase(string english)

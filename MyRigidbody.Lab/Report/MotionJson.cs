@@ -96,6 +96,9 @@ internal static class MotionJson
         json.WriteNumber("second", pair.Second);
         Rounded(json, "distance", pair.Distance, Fewer);
         Rounded(json, "angle", pair.Angle.Select(angle => angle * 180 / Math.PI), Fewer);
+        if (pair.Spin is { } spin)
+            Rounded(json, "spin", spin, Fewer);
+
         json.WriteEndObject();
     }
 

@@ -49,6 +49,8 @@ internal sealed class PageTemplate(string name, IReadOnlyDictionary<string, Word
             Word word = input.ToObjectValue() as Word ?? words[input.ToStringValue()];
             return new StringValue(InBoth(arguments.Count == 0 ? word : word.With([.. arguments.Values.Select(value => value.ToObjectValue())])), encode: false);
         });
+        // what a scene says of itself is known in Chinese where the scene is ours
+        options.Filters.AddFilter("said", (input, _, _) => new StringValue(InBoth(Words.Said(input.ToStringValue())), encode: false));
         return options;
     }
 

@@ -67,13 +67,16 @@ internal sealed class Motion
     }
 
     /// <summary>A recorded body and ours beside it; the moments are after every step.</summary>
-    public static Motion Of(SceneFile file, string recorded, IReadOnlyList<Compared> course)
+    public static Motion Of(SceneFile file, string recorded, IReadOnlyList<Compared> course, bool knowsSpin)
     {
         SceneDescription scene = file.Scene;
         Motion motion = new(scene.Steps, 2);
         BodyDescription body = scene.Bodies[0];
         MassProperties shape = Shape(file, body);
         motion.Add(new Track(body.Rule.Name, body.Mass, shape), new Track(recorded, body.Mass, shape), course);
+        if (knowsSpin)
+            motion.Pairs[0] = motion.Pairs[0] with { Spin = [.. motion.Tracks[0].States.Zip(motion.Tracks[1].States, (a, b) => (a.AngularVelocity - b.AngularVelocity).Length)] };
+
         motion.Thin(course);
         motion.Held = HeldBy([body], scene.Steps);
         return motion;

@@ -38,7 +38,11 @@ internal sealed record Track(string Name, MassProperties Mass, MassProperties Sh
 /// <param name="Second">Which other.</param>
 /// <param name="Distance">m.</param>
 /// <param name="Angle">rad.</param>
-internal sealed record Distances(int First, int Second, IReadOnlyList<double> Distance, IReadOnlyList<double> Angle);
+internal sealed record Distances(int First, int Second, IReadOnlyList<double> Distance, IReadOnlyList<double> Angle)
+{
+    /// <summary>How far apart the angular velocities are, rad/s, where a page shows it.</summary>
+    public IReadOnlyList<double>? Spin { get; init; }
+}
 
 /// <summary>Something that acts for a part of the time; keys of the lab are drawn as keys.</summary>
 /// <param name="Name">A key of the lab, or the effect in words.</param>

@@ -73,7 +73,25 @@ window.report = (() => {
   });
   dark.addEventListener('change', () => choice().has('theme') || setTheme(dark.matches ? 'dark' : 'light'));
 
+  // a phone cuts a wide table off, and shows no bar by which one could see it
+  const isCut = new ResizeObserver(tables => tables.forEach(({ target }) => {
+    target.previousElementSibling.hidden = target.scrollWidth <= target.clientWidth + 1;
+  }));
+
+  function watch(table) {
+    const hint = document.createElement('p');
+    hint.className = 'more';
+    hint.dataset.word = 'table.more';
+    hint.textContent = word('table.more');
+    table.before(hint);
+    isCut.observe(table);
+  }
+
   const report = { data: first?.bodies ? first : null, words, on, tell, word, colour, language, show, setLanguage };
+  if (words['table.more']) {
+    document.querySelectorAll('.wide').forEach(watch);
+  }
+
   setLanguage((choice().get('lang') ?? navigator.language).startsWith('zh') ? 'zh' : 'en');
   setTheme(choice().get('theme') ?? (dark.matches ? 'dark' : 'light'));
   return report;

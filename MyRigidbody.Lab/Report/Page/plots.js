@@ -34,6 +34,7 @@
     }));
     return [
       ...(pairs.length > 0 ? [[word('axis.angle'), ofPairs('angle')], [word('axis.distance'), ofPairs('distance')]] : []),
+      ...(pairs.some(pair => pair.spin) ? [[word('axis.spin'), ofPairs('spin')]] : []),
       [word('axis.energy'), ofBodies((body, i) => body.energy[i])],
       [word('axis.momentum'), ofBodies(momentum)],
     ];

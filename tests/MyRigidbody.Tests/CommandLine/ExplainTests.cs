@@ -16,6 +16,15 @@ public sealed class ExplainTests
     }
 
     [Test]
+    public void Numbers_of_a_recording_are_those_that_somebody_wrote()
+    {
+        LabProcess run = LabProcess.Run(".", "explain", TestData.Physx("a_right_drag05_gravity.json"));
+
+        Assert.That(run.ExitCode, Is.Zero, run.Error);
+        Assert.That(run.Output, Does.Contain("gravity (0, -9.81, 0) m/s²").And.Contain("angularDrag 0.05 /s, limit 7 rad/s, sleep below 0.005 J/kg"));
+    }
+
+    [Test]
     public void Json_has_the_same()
     {
         LabProcess run = LabProcess.Run(".", "explain", Repository.Root.File("scenes/heavy-top.json"), "--json");

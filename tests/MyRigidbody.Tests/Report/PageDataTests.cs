@@ -154,7 +154,9 @@ public sealed class PageDataTests
         Assert.That(lab.ExitCode, Is.EqualTo(1));
         Assert.That(page.Document.QuerySelector("#recording .lead")!.TextContent, Does.Contain("step " + PartingRecording.PartsAt));
         Assert.That(page.Document.QuerySelectorAll("#recording tbody tr"), Has.Length.EqualTo(4));
+        Assert.That(page.Document.QuerySelector("#recording .lead + p")!.TextContent, Does.Contain("is above the tolerance of").And.Contain("超过容差"));
         Assert.That(Parsed.Numbers(page.Data.GetProperty("pairs")[0].GetProperty("angle")).Max(), Is.GreaterThan(0.01));
+        Assert.That(Parsed.Numbers(page.Data.GetProperty("pairs")[0].GetProperty("spin")).Max(), Is.GreaterThan(0));
     }
 
     private static void Same(double[] found, string[][] rows, int column, int width, double within) =>
