@@ -8,8 +8,11 @@ namespace RigidBodyDynamics.Engine
     /// <summary>The immediate-mode GUI: sends its events to every OnGUI, notes what was drawn, and clicks for a test.</summary>
     public static partial class Gui
     {
+        private const string Row = "row";
         private static readonly Dictionary<object, Layout> Layouts = new Dictionary<object, Layout>();
         private static List<(string Kind, string Text)> _drawn = new List<(string, string)>();
+        private static List<List<(string Kind, string Text)>> _rows = new List<List<(string, string)>>();
+        private static bool _isInRow;
         private static Layout _layout;
         private static string _click, _held;
         private static int _choice;
@@ -19,6 +22,9 @@ namespace RigidBodyDynamics.Engine
 
         /// <summary>The texts of the last frame.</summary>
         public static IEnumerable<string> Texts => _drawn.Select(control => control.Text);
+
+        /// <summary>The same by rows, one below the other.</summary>
+        public static IEnumerable<IReadOnlyList<(string Kind, string Text)>> Rows => _rows;
 
         /// <summary>Where the last area was drawn, in pixels of the window.</summary>
         public static Rect DrawnArea { get; private set; }
@@ -54,6 +60,7 @@ namespace RigidBodyDynamics.Engine
                 SendToAll(() => new Event { type = isDown ? EventType.KeyDown : EventType.KeyUp, keyCode = key });
 
             _drawn = new List<(string, string)>();
+            _rows = new List<List<(string, string)>>();
             SendToAll(() => new Event { type = EventType.Repaint });
         }
 
@@ -61,8 +68,14 @@ namespace RigidBodyDynamics.Engine
         internal static void Control(string kind, string text)
         {
             MustBeInside().Control();
-            if (Event.current.type == EventType.Repaint)
-                _drawn.Add((kind, text));
+            if (Event.current.type != EventType.Repaint)
+                return;
+
+            _drawn.Add((kind, text));
+            if (!_isInRow)
+                _rows.Add(new List<(string, string)>());
+
+            _rows[_rows.Count - 1].Add((kind, text));
         }
 
         /// <summary>A control that can; true in the event that clicks it.</summary>
@@ -88,9 +101,21 @@ namespace RigidBodyDynamics.Engine
             return Event.current.type == EventType.Repaint && text == _held;
         }
 
-        internal static void Open(string kind) => MustBeInside().Open(kind);
+        internal static void Open(string kind)
+        {
+            MustBeInside().Open(kind);
+            if (kind != Row || Event.current.type != EventType.Repaint)
+                return;
 
-        internal static void Close(string kind) => MustBeInside().Close(kind);
+            _isInRow = true;
+            _rows.Add(new List<(string, string)>());
+        }
+
+        internal static void Close(string kind)
+        {
+            MustBeInside().Close(kind);
+            _isInRow &= kind != Row;
+        }
 
         private static Layout MustBeInside() =>
             Event.current != null ? _layout : throw new ArgumentException("You can only call GUI functions from inside OnGUI.");

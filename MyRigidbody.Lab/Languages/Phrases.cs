@@ -94,7 +94,7 @@ internal static class Phrases
             ("^integrator$", "积分器"),
             ("^inertia$", "转动惯量"),
             ("^limit of spin$", "角速度上限"),
-            ("^orientation$", "朝向的更新"),
+            ("^orientation$", "朝向"),
             ("^sleep$", "休眠"),
             ("^gyroscopic forces$", "陀螺力"),
             ("^scene$", "场景"),

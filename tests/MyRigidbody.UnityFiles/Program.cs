@@ -34,12 +34,13 @@ internal static class Program
         Argument<string> picture = new("png") { Description = "The picture to write." };
         Option<string?> poses = new("--poses") { Description = "A CSV file of the command line's run: bodies stand as it says." };
         Option<double> time = new("--at") { Description = "At which time of the CSV file, s." };
-        Command draw = new("draw", "Draws a scene as its camera sees it.") { scene, picture, poses, time };
+        Option<string?> panel = new("--panel") { Description = "The rows of the panel; without them its place is shown." };
+        Command draw = new("draw", "Draws a scene as its camera sees it.") { scene, picture, poses, time, panel };
         draw.SetAction(parsed =>
         {
             string? file = parsed.GetValue(poses);
             DrawnScene drawn = DrawnScene.Read(parsed.GetValue(scene)!, file == null ? null : Pose.Read(file, parsed.GetValue(time)));
-            using SkiaSharp.SKBitmap bitmap = Picture.Annotated(drawn);
+            using SkiaSharp.SKBitmap bitmap = Picture.Annotated(drawn, parsed.GetValue(panel) is string rows ? File.ReadAllLines(rows) : null);
             Picture.Save(bitmap, parsed.GetValue(picture)!);
         });
         return draw;

@@ -41,6 +41,7 @@ public sealed class SceneViewTests
 
     // where the bodies are; names beside them depend on the fonts of the machine
     [TestCase(Change.LabScene, "docs/images/unity-lab.png")]
+    [TestCase(Change.LabScene, "docs/images/unity-lab.zh.png")]
     [TestCase(Change.SlabScene, "docs/images/unity-slab.png")]
     public void Picture_in_the_documentation_is_of_the_scene(string path, string picture)
     {

@@ -33,8 +33,8 @@ public static class Picture
         return canvas.Picture();
     }
 
-    /// <summary>The bodies with their names, and the place of the panel.</summary>
-    public static SKBitmap Annotated(DrawnScene scene)
+    /// <summary>The bodies with their names, and the panel, or its place where its rows are not given.</summary>
+    public static SKBitmap Annotated(DrawnScene scene, IReadOnlyList<string>? panel = null)
     {
         SKBitmap picture = Bodies(scene);
         using SKCanvas canvas = new(picture);
@@ -42,7 +42,11 @@ public static class Picture
         using SKPaint text = new() { Color = Ink, IsAntialias = true };
         using SKFont font = new(SKTypeface.FromFamilyName(SansFonts.FirstOrDefault(name => SKFontManager.Default.FontFamilies.Contains(name))), 16);
         canvas.DrawRect(Panel, line);
-        canvas.DrawText("panel", Panel.MidX, Panel.MidY, SKTextAlign.Center, font, text);
+        if (panel == null)
+            canvas.DrawText("panel", Panel.MidX, Panel.MidY, SKTextAlign.Center, font, text);
+        else
+            DrawnPanel.Draw(canvas, Panel, panel);
+
         foreach (DrawnCube cube in scene.Cubes.Where(cube => cube.Parent == null))
         {
             Vector2[] outline = Outline.Of(cube, scene.View, Width, Height);
