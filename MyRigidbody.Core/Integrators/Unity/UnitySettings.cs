@@ -60,8 +60,7 @@ namespace RigidBodyDynamics
             && InDouble == other.InDouble && FirstOrderOrientation == other.FirstOrderOrientation;
 
         /// <summary>A number in digits. Where it was a float in Unity, in those that somebody wrote there: 0.05, and not 0.05000000074505806.</summary>
-        internal static string AsGiven(double value) => value == (float)value
-            ? ((float)value).ToString("R", System.Globalization.CultureInfo.InvariantCulture)
-            : value.ToString("R", System.Globalization.CultureInfo.InvariantCulture);
+        internal static string AsGiven(double value) =>
+            (value == (float)value ? (float)value : (IFormattable)value).ToString("R", System.Globalization.CultureInfo.InvariantCulture);
     }
 }
