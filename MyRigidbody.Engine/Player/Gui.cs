@@ -162,6 +162,7 @@ namespace RigidBodyDynamics.Engine
                 GUI.color = Color.white;
                 GUI.enabled = true;
                 GUI.matrix = Matrix4x4.identity;
+                _isInRow = false;
                 _layout.Begin();
                 draw();
                 _layout.End();
