@@ -114,8 +114,23 @@ internal sealed class SiteFolder(Project project, string folder)
         if (!File.Exists(worker) || File.ReadLines(worker).FirstOrDefault() is not string first || first.IndexOf("files:", StringComparison.Ordinal) is not (> 0 and int at))
             return [];
 
-        Dictionary<string, string> files = JsonSerializer.Deserialize<Dictionary<string, string>>(first[(at + "files:".Length)..^"};".Length])!;
-        return files.Keys.Select(Target).SelectMany(file => Packing.Encodings.Select(encoding => file + encoding.Ending).Prepend(file)).Where(File.Exists);
+        return Names(first[(at + "files:".Length)..]).Select(Target).SelectMany(file => Packing.Encodings.Select(encoding => file + encoding.Ending).Prepend(file)).Where(File.Exists);
+    }
+
+    // a list that is damaged says nothing, and nothing is removed
+    private static IEnumerable<string> Names(string list)
+    {
+        try
+        {
+            if (list.EndsWith("};", StringComparison.Ordinal) && JsonSerializer.Deserialize<Dictionary<string, string>>(list[..^2]) is { } files)
+                return files.Keys;
+
+            return [];
+        }
+        catch (JsonException)
+        {
+            return [];
+        }
     }
 
     private string Target(string name) => Path.Combine(folder, name.Replace('/', Path.DirectorySeparatorChar));
