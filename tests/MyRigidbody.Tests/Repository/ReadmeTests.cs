@@ -3,7 +3,6 @@ using NUnit.Framework;
 using RigidBodyDynamics.Lab;
 using RigidBodyDynamics.Lab.Comparison;
 using RigidBodyDynamics.Lab.Languages;
-using RigidBodyDynamics.Lab.Report;
 
 namespace RigidBodyDynamics.Tests.Repository;
 
