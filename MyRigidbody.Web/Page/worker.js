@@ -13,7 +13,8 @@ const found = finding => (finding ? { finding: JSON.parse(finding) } : { ok: tru
 const doing = {
   ready: () => ({}),
   errors: ({ Scripts }, request) => ({ errors: JSON.parse(Scripts.Errors(...files(request))) }),
-  judge: ({ Scripts }, request) => ({ ...JSON.parse(Scripts.Judge(...files(request), request.lang ?? 'en')), motion: JSON.parse(Scripts.Motion() ?? 'null') }),
+  judge: ({ Scripts }, request) => JSON.parse(Scripts.Judge(...files(request), request.lang ?? 'en')),
+  motion: ({ Scripts }) => ({ motion: JSON.parse(Scripts.Motion() ?? 'null') }),
   report: ({ PlayedReport }, { file, text, beside = [], script, plotting }) => {
     beside.forEach(one => PlayedReport.Put(one.name, new TextEncoder().encode(one.text)));
     return { html: PlayedReport.Html(file, text, script ? [script.names.en, script.names.zh] : [], [...script?.poses ?? []], plotting) };
@@ -28,7 +29,7 @@ const doing = {
     const bytes = Packages.Package(...files(request), request.name);
     return bytes.length > 0 ? { bytes: Uint8Array.from(bytes) } : JSON.parse(Packages.WhyNot());
   },
-  ended: ({ Scripts }, request) => ({ ...JSON.parse(Scripts.Ended(...files(request), request.lang ?? 'en', request.code)), motion: null }),
+  ended: ({ Scripts }, request) => JSON.parse(Scripts.Ended(...files(request), request.lang ?? 'en', request.code)),
 };
 
 // the page counts the time that a script takes from the last of these

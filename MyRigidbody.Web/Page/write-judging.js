@@ -35,7 +35,7 @@ export async function ask(request) {
 export function createJudging(section, editor, submission) {
   const say = report.word, lamps = createLamps(section, { say, goTo: editor.goTo });
   // of the last text that was judged
-  let check = null, motion = null;
+  let check = null;
   let errors = [], version = 0, timer = 0;
 
   const wait = () => lamps.old(say(check ? 'write.judging' : 'write.loading'));
@@ -62,9 +62,8 @@ export function createJudging(section, editor, submission) {
     const answer = await ask({ do: 'judge', files, lang: report.language() });
     if (mine !== version || answer.replaced) return;
     check = answer.check ? placed(answer.check, files[0].text) : null;
-    motion = answer.motion ?? null;
     show(inWords(answer.finding));
-    section.querySelector('.replay').disabled = !motion;
+    section.querySelector('.replay').disabled = !answer.hasMotion;
     lab.tell('verdict', answer);
   }
 
@@ -93,5 +92,5 @@ export function createJudging(section, editor, submission) {
   // another language
   const speak = () => (check && !section.classList.contains('stale') ? show() : wait());
 
-  return { changed, look, speak, get motion() { return motion; } };
+  return { changed, look, speak };
 }

@@ -66,7 +66,10 @@ export function startWrite(part) {
     target.setAttribute('aria-pressed', section.classList.toggle('big'));
     editor.view.requestMeasure();
   });
-  find('.replay').addEventListener('click', () => lab.tell('replay', { motion: judging.motion }));
+  find('.replay').addEventListener('click', async () => {
+    const { motion } = await ask({ do: 'motion' });
+    if (motion) lab.tell('replay', { motion });
+  });
   find('.in-play').addEventListener('change', ({ target }) => lab.set({ scriptInPlay: target.checked }));
   // a script that breaks in live play
   lab.addEventListener('finding', ({ detail }) => tell(detail[report.language()], { isRefusal: true }));

@@ -75,7 +75,7 @@ internal static partial class Scripts
         Console.SetOut(lines);
         Lamps.Print(name, report, isChinese: language == "zh");
         Console.SetOut(TextWriter.Null);
-        return Json.Of(new { verdict = JsonNode.Parse(CheckJson.Of(name, report)), lines = lines.ToString(), check = ShownCheck.Of(report) });
+        return Json.Of(new { verdict = JsonNode.Parse(CheckJson.Of(name, report)), lines = lines.ToString(), check = ShownCheck.Of(report), hasMotion = report.Recording != null });
     }
 
     // the page's watch counts from here
