@@ -65,6 +65,15 @@ public sealed partial class WritePageTests : LabPageFixture
         Assert.That(Shadow(".sign.bare").Length, Is.EqualTo(1));
     }
 
+    [Test]
+    public void The_judged_motions_of_cube_and_box_are_replayed_beside_the_two_others()
+    {
+        Assert.That(Browser.Becomes("report.live?.()?.motion.bodies.length === 2"), Is.True);
+        Browser.Do("document.querySelector('.write .replay').click()");
+
+        Assert.That(Browser.Becomes("report.data.bodies.length === 6 && !report.live()"), Is.True);
+    }
+
     [TestCase("210840007_学生一")]
     [TestCase("210840014_学生二")]
     [TestCase("210840329_学生四七")]
