@@ -1,5 +1,4 @@
 using RigidBodyDynamics.Judging;
-using RigidBodyDynamics.Lab.Languages;
 
 namespace RigidBodyDynamics.Lab.Languages;
 

@@ -1,6 +1,5 @@
 using System.Globalization;
 using System.Text.Json;
-using RigidBodyDynamics.Lab.Inertia;
 
 namespace RigidBodyDynamics.Lab;
 

@@ -1,5 +1,3 @@
-using RigidBodyDynamics.Lab.Output;
-
 namespace RigidBodyDynamics.Lab.Report;
 
 /// <summary>A rule that has lost its body: what follows is no motion, and no file holds it.</summary>
