@@ -5,6 +5,7 @@ using System.Text;
 using RigidBodyDynamics.Lab.Commands;
 using RigidBodyDynamics.Lab.Languages;
 using RigidBodyDynamics.Lab.Output;
+using RigidBodyDynamics.StudentScripts;
 
 namespace RigidBodyDynamics.Lab;
 
@@ -15,6 +16,11 @@ internal static class Program
 
     private static int Main(string[] args)
     {
+        if (ScriptRunner.WasChild(args, out int exitCode))
+        {
+            return exitCode;
+        }
+
         Console.OutputEncoding = new UTF8Encoding(encoderShouldEmitUTF8Identifier: false);
         StandardOutput.Use();
         return Run(args);

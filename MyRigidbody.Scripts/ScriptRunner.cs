@@ -26,6 +26,17 @@ public sealed class ScriptRunner : IDisposable
     /// <param name="starter">The text of the starter, for the count of comments; null for the sheet's.</param>
     public ScriptRunner(string? starter = null) => _starter = starter ?? string.Empty;
 
+    /// <summary>Where a program was started as the child of one that is a single file: serves until its parent goes away.</summary>
+    /// <param name="arguments">The program's arguments.</param>
+    /// <param name="exitCode">The child's exit code.</param>
+    /// <returns>Whether it was.</returns>
+    public static bool WasChild(string[] arguments, out int exitCode)
+    {
+        bool isChild = arguments is [Server.Command] && Child.IsThisProgram && Console.IsInputRedirected;
+        exitCode = isChild ? Server.Run() : 0;
+        return isChild;
+    }
+
     /// <summary>Starts the child before it is needed.</summary>
     public void WarmUp() => _child ??= Child.Start(_starter);
 

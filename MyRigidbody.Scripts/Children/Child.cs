@@ -35,6 +35,9 @@ internal sealed class Child : IDisposable
         Output = new BinaryReader(new BufferedStream(_process.StandardOutput.BaseStream, 1 << 16));
     }
 
+    /// <summary>Whether the child is this program once more: it is a single file, without an assembly for the child beside it.</summary>
+    public static bool IsThisProgram => !File.Exists(Assembly);
+
     public BinaryWriter Input { get; }
 
     public BinaryReader Output { get; }
@@ -73,7 +76,8 @@ internal sealed class Child : IDisposable
     public static Child Start(string starter)
     {
         DirectoryInfo folder = Directory.CreateTempSubdirectory(FolderPrefix);
-        ProcessStartInfo start = new(Dotnet(), ["exec", typeof(Child).Assembly.Location, Server.Command])
+        (string program, string[] arguments) = Program();
+        ProcessStartInfo start = new(program, arguments)
         {
             RedirectStandardInput = true,
             RedirectStandardOutput = true,
@@ -98,6 +102,7 @@ internal sealed class Child : IDisposable
         start.Environment["DOTNET_EnableWriteXorExecute"] = "0";
         start.Environment["DOTNET_DbgEnableMiniDump"] = "0";
         start.Environment["DOTNET_TieredPGO"] = "0";
+        start.Environment["DOTNET_gcConcurrent"] = "0";
         Child child = new(Process.Start(start)!, folder);
         try
         {
@@ -160,6 +165,11 @@ internal sealed class Child : IDisposable
             // the child was quicker, or somebody looks into it: it is empty
         }
     }
+
+    private static string Assembly => Path.Combine(AppContext.BaseDirectory, "MyRigidbody.Scripts.dll");
+
+    private static (string File, string[] Arguments) Program() =>
+        IsThisProgram ? (Environment.ProcessPath!, [Server.Command]) : (Dotnet(), ["exec", Assembly, Server.Command]);
 
     // the runtime of this process knows where its host is, whatever this process was started by
     private static string Dotnet()

@@ -21,8 +21,10 @@ internal sealed class ScriptBench(string? starter) : IBench
         get
         {
             using IncrementalHash hash = IncrementalHash.CreateHash(HashAlgorithmName.SHA256);
-            foreach (string assembly in Directory.GetFiles(AppContext.BaseDirectory, "MyRigidbody.*.dll").Order(StringComparer.Ordinal))
-                hash.AppendData(File.ReadAllBytes(assembly));
+            // a program in one file has them in itself
+            string[] files = Directory.GetFiles(AppContext.BaseDirectory, "MyRigidbody.*.dll") is { Length: > 0 } assemblies ? assemblies : [Environment.ProcessPath!];
+            foreach (string file in files.Order(StringComparer.Ordinal))
+                hash.AppendData(File.ReadAllBytes(file));
 
             hash.AppendData(Encoding.UTF8.GetBytes(Starter));
             return Convert.ToHexStringLower(hash.GetHashAndReset())[..VersionLength];
