@@ -180,7 +180,7 @@ namespace RigidBodyDynamics
         internal override string Settings(BodyDescription body) => string.Format(
             CultureInfo.InvariantCulture,
             "drag {0} /s, angularDrag {1} /s, limit {2} rad/s, sleep below {3} J/kg of the velocity summed over 0.2 s{4}",
-            UnitySettings.AsGiven(body.Unity.Drag), UnitySettings.AsGiven(body.Unity.AngularDrag), UnitySettings.AsGiven(body.Unity.MaxAngularVelocity), UnitySettings.AsGiven(body.Unity.SleepThreshold),
+            Guard.AsGiven(body.Unity.Drag), Guard.AsGiven(body.Unity.AngularDrag), Guard.AsGiven(body.Unity.MaxAngularVelocity), Guard.AsGiven(body.Unity.SleepThreshold),
             body.Unity.FirstOrderOrientation ? ", turned by q + [0, ½Δt ω] q" : string.Empty);
 
         // a force wakes it

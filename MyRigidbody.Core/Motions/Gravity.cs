@@ -13,6 +13,6 @@ namespace RigidBodyDynamics
         public void AddTo(ref Coasting coasting, MassProperties mass) => coasting.Acceleration += _acceleration;
 
         /// <summary>In words.</summary>
-        public override string ToString() => "gravity (" + UnitySettings.AsGiven(_acceleration.X) + ", " + UnitySettings.AsGiven(_acceleration.Y) + ", " + UnitySettings.AsGiven(_acceleration.Z) + ") m/s²";
+        public override string ToString() => "gravity (" + Guard.AsGiven(_acceleration.X) + ", " + Guard.AsGiven(_acceleration.Y) + ", " + Guard.AsGiven(_acceleration.Z) + ") m/s²";
     }
 }

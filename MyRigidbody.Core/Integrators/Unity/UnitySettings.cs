@@ -58,9 +58,5 @@ namespace RigidBodyDynamics
             Drag == other.Drag && AngularDrag == other.AngularDrag && MaxAngularVelocity == other.MaxAngularVelocity
             && SleepThreshold == other.SleepThreshold && WakeCounter == other.WakeCounter && GyroscopicForces == other.GyroscopicForces
             && InDouble == other.InDouble && FirstOrderOrientation == other.FirstOrderOrientation;
-
-        /// <summary>A number in digits. Where it was a float in Unity, in those that somebody wrote there: 0.05, and not 0.05000000074505806.</summary>
-        internal static string AsGiven(double value) =>
-            (value == (float)value ? (float)value : (IFormattable)value).ToString("R", System.Globalization.CultureInfo.InvariantCulture);
     }
 }

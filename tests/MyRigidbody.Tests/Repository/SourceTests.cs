@@ -32,7 +32,7 @@ public sealed partial class SourceTests
     public void Core_calls_only_functions_on_which_all_runtimes_agree() =>
         Assert.That(
             Matches(Core, MathCalls()).Where(found => !SameEverywhere.Contains(found.Text)),
-            Is.EqualTo(new[] { ("MyRigidbody.Core/Diagnostics/Conserved.cs", "Math.Atan2") }));
+            Is.EqualTo(new[] { ("MyRigidbody.Core/Bodies/Conserved.cs", "Math.Atan2") }));
 
     [Test]
     public void No_source_file_is_longer_than_300_lines() =>

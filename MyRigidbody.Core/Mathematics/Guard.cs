@@ -61,6 +61,10 @@ namespace RigidBodyDynamics
             return new RefusedException(name, value, rule + ", found " + found);
         }
 
+        /// <summary>A number in digits. Where it was a float in Unity, in those that somebody wrote there: 0.05, and not 0.05000000074505806.</summary>
+        internal static string AsGiven(double value) =>
+            (value == (float)value ? (float)value : (IFormattable)value).ToString("R", CultureInfo.InvariantCulture);
+
         /// <summary>A message in one line, whatever names and effects in it say.</summary>
         internal static string OneLine(string message) => message.Replace('\r', ' ').Replace('\n', ' ');
 
