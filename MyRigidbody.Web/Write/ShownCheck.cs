@@ -1,7 +1,6 @@
 using RigidBodyDynamics.Judging;
 using RigidBodyDynamics.Lab.Checking;
 using RigidBodyDynamics.Lab.Languages;
-using RigidBodyDynamics.Lab.Report;
 using RigidBodyDynamics.StudentScripts;
 
 namespace RigidBodyDynamics.Web.Write;

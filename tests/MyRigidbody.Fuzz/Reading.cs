@@ -2,7 +2,6 @@ using System.Buffers;
 using System.Globalization;
 using System.Text;
 using RigidBodyDynamics.Lab;
-using RigidBodyDynamics.Lab.Commands;
 using RigidBodyDynamics.Lab.Output;
 using RigidBodyDynamics.Lab.Report;
 

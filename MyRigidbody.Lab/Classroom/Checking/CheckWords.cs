@@ -1,6 +1,5 @@
 using RigidBodyDynamics.Judging;
 using RigidBodyDynamics.Lab.Languages;
-using RigidBodyDynamics.Lab.Report;
 
 namespace RigidBodyDynamics.Lab.Checking;
 

@@ -1,8 +1,8 @@
 using System.Diagnostics;
 using System.Runtime.InteropServices.JavaScript;
 using System.Text.Json.Nodes;
-using RigidBodyDynamics.Lab.Languages;
 using RigidBodyDynamics.Lab;
+using RigidBodyDynamics.Lab.Languages;
 using RigidBodyDynamics.Lab.Report;
 
 namespace RigidBodyDynamics.Web.Play;

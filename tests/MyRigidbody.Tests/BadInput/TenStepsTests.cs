@@ -1,5 +1,4 @@
 using NUnit.Framework;
-using RigidBodyDynamics.Lab.Report;
 
 namespace RigidBodyDynamics.Tests;
 

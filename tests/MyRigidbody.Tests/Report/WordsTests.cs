@@ -4,7 +4,6 @@ using NUnit.Framework;
 using RigidBodyDynamics.Lab;
 using RigidBodyDynamics.Lab.Comparison;
 using RigidBodyDynamics.Lab.Languages;
-using RigidBodyDynamics.Lab.Report;
 using RigidBodyDynamics.Tests.Repository;
 
 namespace RigidBodyDynamics.Tests.Report;

@@ -1,6 +1,5 @@
 using NUnit.Framework;
 using RigidBodyDynamics.Lab;
-using RigidBodyDynamics.Lab.Inertia;
 using RigidBodyDynamics.Tests.CommandLine;
 
 namespace RigidBodyDynamics.Tests.SceneFiles;

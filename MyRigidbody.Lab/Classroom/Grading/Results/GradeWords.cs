@@ -1,7 +1,6 @@
 using RigidBodyDynamics.Judging;
 using RigidBodyDynamics.Lab.Grading.Marks;
 using RigidBodyDynamics.Lab.Languages;
-using RigidBodyDynamics.Lab.Report;
 
 namespace RigidBodyDynamics.Lab.Grading;
 

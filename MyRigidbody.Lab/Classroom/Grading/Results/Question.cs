@@ -6,7 +6,6 @@ using RigidBodyDynamics.Lab.Grading.Judging;
 using RigidBodyDynamics.Lab.Grading.Marks;
 using RigidBodyDynamics.Lab.Grading.Students;
 using RigidBodyDynamics.Lab.Languages;
-using RigidBodyDynamics.Lab.Report;
 
 namespace RigidBodyDynamics.Lab.Grading;
 
