@@ -164,7 +164,9 @@ namespace RigidBodyDynamics
                 & Vector.GreaterThan(held * scaled * scaled, new Lanes(AsymmetricTop.NoTurn));
             OrbitLanes orbit = default(OrbitLanes);
             Lanes rate = Vector.Max(_shape.AlphaOfA3 * a3, _shape.BetaOfA1 * a1);
-            Masks isFar = Vector.GreaterThan(held * held * (scaled * scaled), new Lanes(AsymmetricTop.OrdinarySquared) * (_i1 * a1 + _i3 * a3));
+            Lanes turned = held * held * (scaled * scaled), momentum = _i1 * a1 + _i3 * a3;
+            Masks isFar = Vector.GreaterThan(turned, new Lanes(AsymmetricTop.OrdinarySquared) * momentum)
+                & Vector.LessThan(turned, new Lanes(AsymmetricTop.LostSquared) * momentum);
             Masks isOneByOne = isTurning & (isKept | isFar);
             if (!Vector.EqualsAll(isTurning & ~isOneByOne, Masks.Zero))
             {

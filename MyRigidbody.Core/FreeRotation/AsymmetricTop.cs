@@ -29,8 +29,8 @@ namespace RigidBodyDynamics
         // (sine of) the largest angle at which a correction may be made at the wrong end of a step
         internal const double ShortSquared = 0.25 * 0.25;
         internal const double Tiny = 1e-290;
-        // (rad of) the largest angle by which a body turns in a step that is made once and prepared for with the digits of a double
-        internal const double OrdinarySquared = 4.0 * 4;
+        // (rad of) the angles between which a step that is made once is prepared for with all digits: below, a double has enough; above, all are lost
+        internal const double OrdinarySquared = 4.0 * 4, LostSquared = 1e15 * 1e15;
         // 1/√(1 − ε) − 1 = Σ Yₙ εⁿ; what is left out is below 1e-17 for a short turn
         internal const double Y1 = 1 / 2.0, Y2 = 3 / 8.0, Y3 = 5 / 16.0, Y4 = 35 / 128.0, Y5 = 63 / 256.0, Y6 = 231 / 1024.0;
         internal const double Y7 = 429 / 2048.0, Y8 = 6435 / 32768.0;
@@ -166,11 +166,11 @@ namespace RigidBodyDynamics
             if (_count == 0)
                 return;
 
-            double rate = Math.Max(s.AlphaOfA3 * a3, s.BetaOfA1 * a1);
+            double rate = Math.Max(s.AlphaOfA3 * a3, s.BetaOfA1 * a1), turned = _energy * _energy * (time * time), momentum = s.I1 * a1 + s.I3 * a3;
             if (IsNearUnstableAxis(rate) && rate * time * time > LongestNearUnstable * LongestNearUnstable)
                 _count = (long)Math.Ceiling(Math.Min(MostParts, Math.Sqrt(rate) * Math.Abs(time) / LongestNearUnstable));
 
-            isKept |= _energy * _energy * (time * time) > OrdinarySquared * (s.I1 * a1 + s.I3 * a3);
+            isKept |= turned > OrdinarySquared * momentum && turned < LostSquared * momentum;
             _inverseEnergy = 0.5 / _energy;
             _orbit.Set(s, a1, a3, _separation, time / _count, _w, _wLost, isKept);
             while (_orbit.IsIllConditioned && _count < MostParts)

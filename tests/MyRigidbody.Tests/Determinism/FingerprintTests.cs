@@ -8,7 +8,7 @@ public sealed class FingerprintTests
 {
     // Of .NET and of Mono, in Debug and in Release. It changes with a bit of any step or a row of the catalogue; where
     // that is intended, this is the line to change, and MonoTests is to pass with it.
-    internal const ulong Golden = 0x68c01a2a7ce5738c;
+    internal const ulong Golden = 0x1c1d6b91ad233811;
 
     [Test]
     public void All_integrators_with_all_effects_and_hard_cases_come_to_the_same_bits_everywhere()
