@@ -7,8 +7,8 @@ using Vector = System.Numerics.Vector;
 namespace RigidBodyDynamics
 {
     /// <summary>
-    /// The step of <see cref="AsymmetricTop"/> for several bodies at once: its operations in its order, so that each body
-    /// comes to the same bits. Where a body wants more than one turn, it alone is turned by its own rule.
+    /// The step of <see cref="AsymmetricTop"/> for several bodies at once: the same operations in the same order, so that each body
+    /// gets the same bits. A body whose step needs more than one rotation is rotated alone, by its own integrator.
     /// </summary>
     internal partial struct AsymmetricLanes : ITopLanes
     {
@@ -16,18 +16,18 @@ namespace RigidBodyDynamics
         public const int Energy = WLost + 3, Separation = Energy + 1, Scale = Energy + 2, PreparedFor = Energy + 3;
         public const int InverseEnergy = Energy + 4, S = InverseEnergy + 1;
 
-        /// <summary>1 − c₁ and 1 − c₃; c₁ and c₃ themselves where the turn is not short.</summary>
+        /// <summary>1 − c₁ and 1 − c₃; c₁ and c₃ themselves where the rotation is not short.</summary>
         public const int First = S + 1, Third = S + 2;
 
         public const int InverseSquare = S + 3, Sine = S + 4, SineLost = S + 5, Versine = S + 6;
 
-        /// <summary>How many turns a step takes; negative where they are not short.</summary>
+        /// <summary>The number of rotations in a step; negative where they are not short.</summary>
         public const int Turns = S + 7;
 
         private AsymmetricTop _one;
         private TopShape _shape;
         private Lanes _i1, _i3, _half1, _half3, _k1, _k2, _k3, _k1k2, _k1k3, _g1, _g3, _m1, _m3;
-        // what one pass over a block leaves to the next
+        // state that one pass over a block leaves to the next
         private Columns _left;
 
         public int Columns => Turns + 1;
@@ -125,7 +125,7 @@ namespace RigidBodyDynamics
             orientation = q.Rounded;
         }
 
-        /// <summary>Prepares where that is wanted. True if all bodies are to make one short turn.</summary>
+        /// <summary>Prepares the bodies that need it. True if every body makes one short rotation.</summary>
         private bool Prepare(in Block bodies, double time)
         {
             bool areShort = true, areKept = bodies.IsWhole;
@@ -140,14 +140,14 @@ namespace RigidBodyDynamics
                 areKept &= Vector.EqualsAll(scaled, group[PreparedFor]);
             }
 
-            // a part of a block can say nothing about all of it
+            // what holds for a part of a block need not hold for the whole
             if (areShort && areKept)
                 bodies.ReadyFor = time;
 
             return areShort;
         }
 
-        /// <summary>Prepares those that are prepared for another time.</summary>
+        /// <summary>Prepares the bodies whose constants belong to another step length.</summary>
         private void Prepare(in Group bodies, Lanes scaled, double time)
         {
             VectorLanes w = new VectorLanes(bodies, W);
@@ -170,7 +170,7 @@ namespace RigidBodyDynamics
             Masks isOneByOne = isTurning & (isKept | isFar);
             if (!Vector.EqualsAll(isTurning & ~isOneByOne, Masks.Zero))
             {
-                // more than one turn is prepared for one by one, from what is there now, and so is what is kept
+                // more than one rotation is prepared body by body, from the present state, and so is what is stored
                 const double Longest = AsymmetricTop.LongestNearUnstable * AsymmetricTop.LongestNearUnstable;
                 orbit.Set(_shape, a1, a3, heldSeparation, scaled);
                 isOneByOne |= isTurning & (orbit.IsIllConditioned | (Vector.LessThan(Vector.Abs(_shape.DeltaOfQ * heldSeparation), 0.01 * rate)
@@ -224,12 +224,12 @@ namespace RigidBodyDynamics
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
         private static void Set(ref Lanes number, Masks where, Lanes value) => number = Vector.ConditionalSelect(where, value, number);
 
-        /// <summary>Where asked for, takes the damping into the angular velocity itself.</summary>
+        /// <summary>Multiplies the damping, where requested, into the angular velocity itself.</summary>
         private static void Fold(in Group bodies, Masks where)
         {
             Lanes scale = bodies[Scale], one = Lanes.One;
             Lanes left = Vector.ConditionalSelect(Vector.GreaterThan(bodies[Energy] * (scale * scale), new Lanes(AsymmetricTop.Resting)), scale, Lanes.Zero);
-            // times one changes nothing
+            // a factor of one changes no bits
             left = Vector.ConditionalSelect(where, left, one);
             (left * new VectorLanes(bodies, W)).Write(bodies, W);
             (left * new VectorLanes(bodies, WLost)).Write(bodies, WLost);

@@ -7,12 +7,12 @@ using Vector = System.Numerics.Vector;
 namespace RigidBodyDynamics
 {
     /// <summary>
-    /// One turn of each body of a block in two passes: in each there is so little to do for a group that the processor has several
-    /// groups on the way at once.
+    /// One rotation of each body of a block in two passes: each pass does so little per group that the processor works on several
+    /// groups at the same time.
     /// </summary>
     internal partial struct AsymmetricLanes
     {
-        // what the second pass takes from the first: ε, and the vector part of the turn, of which the series of ε makes a unit
+        // passed from the first pass to the second: ε, and the vector part of the rotation, which the series of ε scales to length 1
         private const int E = 0, R = 1;
 
         [MethodImpl(Kernel.Compiled)]
@@ -26,7 +26,7 @@ namespace RigidBodyDynamics
                 Orient(bodies.At(i), passed.At(i));
         }
 
-        /// <summary>The first pass, over w: to w₊, and what that turns the body by.</summary>
+        /// <summary>The first pass computes w₊, and the rotation that belongs to it.</summary>
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
         private void Spin(in Group bodies, in Group left)
         {
@@ -49,7 +49,7 @@ namespace RigidBodyDynamics
             left[E] = (h1 * h1 + h2 * h2 + h3 * h3) * inverseSquare;
         }
 
-        /// <summary>The second pass, over q.</summary>
+        /// <summary>The second pass applies the rotation to q.</summary>
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
         private static void Orient(in Group bodies, in Group left)
         {
@@ -70,7 +70,7 @@ namespace RigidBodyDynamics
             qLost.Write(bodies, QLost);
         }
 
-        /// <summary>One turn of each of a group of which some are long, or none at all.</summary>
+        /// <summary>One rotation of each body of a group in which some rotations are long or absent.</summary>
         private void TurnAny(in Block few)
         {
             Group bodies = few.At(0);

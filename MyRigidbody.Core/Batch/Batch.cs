@@ -5,12 +5,12 @@ using System.Collections.Generic;
 namespace RigidBodyDynamics
 {
     /// <summary>
-    /// Moves many bodies that share a plan, several at a time in the lanes of the processor and on several threads. Each comes to
-    /// the bits that it would have alone (<see cref="Mover{TIntegrator}"/>).
+    /// Moves many bodies that share a plan, several at a time in the vector lanes of the processor and on several threads. Each
+    /// body gets the same bits as alone (<see cref="Mover{TIntegrator}"/>).
     /// </summary>
     /// <remarks>
-    /// In lanes go <c>Exact</c>, <c>Exact4</c>, <c>Exact6</c> and <c>LabEuler</c> with pushes that read nothing but the time;
-    /// any other rule or push is computed body by body. Once there is room, nothing here allocates.
+    /// Lanes compute <c>Exact</c>, <c>Exact4</c>, <c>Exact6</c> and <c>LabEuler</c> with pushes that read only the time;
+    /// any other integrator or push is computed body by body. Nothing allocates once the storage is large enough.
     /// </remarks>
     internal sealed partial class Batch : Mover
     {
@@ -24,16 +24,16 @@ namespace RigidBodyDynamics
         private readonly Parts _parts;
         private readonly Retrace _retrace;
         private readonly Dictionary<Body, Load> _loads = new Dictionary<Body, Load>();
-        // of each stretch, whether bodies coast in it
+        // for each stretch, whether bodies coast in it
         private readonly bool[] _coasts;
         private readonly bool _isSteered;
         private int _stretch, _capacity, _threads;
         private long _step;
 
-        /// <summary>No bodies yet.</summary>
-        /// <param name="kind">What they have in common.</param>
-        /// <param name="plan">What they do.</param>
-        /// <param name="clock">When it is now.</param>
+        /// <summary>A batch without bodies.</summary>
+        /// <param name="kind">The kind of its bodies.</param>
+        /// <param name="plan">Their plan.</param>
+        /// <param name="clock">The clock of the simulation.</param>
         public Batch(Kind kind, BodyPlan plan, Clock clock) : base(plan)
         {
             Kind = kind;
@@ -57,21 +57,21 @@ namespace RigidBodyDynamics
             }
         }
 
-        /// <summary>What the bodies have in common.</summary>
+        /// <summary>The kind of its bodies.</summary>
         public Kind Kind { get; }
 
-        /// <summary>How many bodies there are.</summary>
+        /// <summary>The number of bodies.</summary>
         public int Count => _places.Count;
 
         public override bool HasMany => true;
 
-        /// <summary>How many threads may step at a time; the result is the same for any number.</summary>
+        /// <summary>The largest number of threads that step at a time; it does not change the result.</summary>
         public int Threads
         {
             set
             {
                 _threads = value;
-                // a team for few would cost more than it does
+                // for few bodies, starting threads costs more than they save
                 _parts.Threads = _capacity > Parts.BodiesOfPart ? value : 1;
             }
         }
@@ -197,7 +197,7 @@ namespace RigidBodyDynamics
             Enter(from.Stretch);
         }
 
-        /// <summary>All bodies go.</summary>
+        /// <summary>Removes all bodies.</summary>
         public void Clear()
         {
             _places.Clear();
@@ -217,7 +217,7 @@ namespace RigidBodyDynamics
                 Threads = _threads;
         }
 
-        /// <summary>Brings the body in a place, and those that are stepped with it, to now.</summary>
+        /// <summary>Brings the body in a place, and those that are stepped with it, to the present step.</summary>
         private void Follow(int place)
         {
             if (!_coasts[_stretch])
@@ -227,7 +227,7 @@ namespace RigidBodyDynamics
             _coasters.Follow(_parts.Own, first, first + _crowd.Width, _step);
         }
 
-        /// <summary>Keeps a body as it is now; it may coast from here.</summary>
+        /// <summary>Stores the present state of a body, which may coast from here.</summary>
         private void Keep(int place)
         {
             _retrace.Keep(place, place + 1, _step);
@@ -235,7 +235,7 @@ namespace RigidBodyDynamics
                 _coasters.Enter(place, place + 1, _step);
         }
 
-        /// <summary>Why a body has no state.</summary>
+        /// <summary>The exception that says why a body has no state.</summary>
         private Exception Lost(int place)
         {
             long end = _step;

@@ -4,29 +4,29 @@ using System.Collections.Generic;
 
 namespace RigidBodyDynamics
 {
-    /// <summary>How many bodies are stepped, and go back where one of them cannot go on.</summary>
+    /// <summary>Steps the bodies, and takes all of them back where one cannot go on.</summary>
     /// <remarks>
-    /// They are looked at after every 64th step, after so many in one call, and when they are read; so it may be a later call that
-    /// finds one lost. The body and the step are named all the same. For that each is kept once more, as it was at most 1024 steps
-    /// before, and effects are asked again about those steps: they are functions of time and state. What a program changes between
-    /// steps is a push on a body, or belongs into a <see cref="LabKeyboard"/>; with one of these, all are looked at and kept in
-    /// every call.
+    /// States are tested for being finite after every 64th step, at the end of a call with that many steps, and when they are read;
+    /// so a lost body may be found in a later call, which still names the body and the step. For that purpose each body is stored
+    /// at most 1024 steps back, and effects are evaluated again in those steps: they are functions of time and state. What a
+    /// program changes between steps is a load on a body or a <see cref="LabKeyboard"/>; with either of these, all bodies are
+    /// tested and stored in every call.
     /// </remarks>
     internal sealed partial class Batch
     {
-        // to keep all bodies takes about as long as to look at them
+        // storing all bodies takes about as long as testing them
         private const long StepsBetweenCopies = 16 * Parts.StepsBetweenLooks;
 
-        // the step up to which all had come when it was last certain that nobody goes back
+        // the step that all bodies had reached when it was last certain that none goes back
         private long _stayed;
-        // a step at which a body was lost; a stretch in which bodies could coast, and do not because of a step of another length
+        // a step in which a body was lost; a stretch in which bodies could coast, and do not because a step has another length
         private long _suspect = -1;
         private int _halted = -1;
         private bool _isHalted, _areAllAside;
 
         private long EndOfStretch => Plan.Stretches[_stretch].End;
 
-        /// <summary>True where the next step begins with an impulse, which the states do not have yet.</summary>
+        /// <summary>True where the next step begins with an impulse, which the states do not contain yet.</summary>
         private bool Gives => Plan.HasImpulses && Plan.Stretches[_stretch].GivesAt(_step);
 
         public override long Limit(long end)
@@ -96,7 +96,7 @@ namespace RigidBodyDynamics
             }
         }
 
-        /// <summary>A step of another length is no part of a way that goes by the number of its steps.</summary>
+        /// <summary>A step of another length cannot belong to a closed form that goes by step numbers.</summary>
         public override void Arrive(bool mayCoast)
         {
             if (mayCoast && !_isHalted)
@@ -139,7 +139,7 @@ namespace RigidBodyDynamics
             }
         }
 
-        /// <summary>Those that the program pushes make the step by themselves, aside; and all where it begins with an impulse.</summary>
+        /// <summary>Bodies with a load take the step one by one, apart from the others; all bodies do where the step begins with an impulse.</summary>
         private Exception StepAside()
         {
             Exception found = null;
@@ -163,7 +163,7 @@ namespace RigidBodyDynamics
                 return null;
 
             Exception found = _crowd.Blame(Plan, _stretch, body.Place, body, _step, this, isLoaded) ?? new StateOverflowException(Plan, _step, body);
-            // what was applied is refused with the step, as it is for one body
+            // the load is dropped with the step, as for a single body
             if (found is StateOverflowException)
                 _loads.Remove(body);
 
@@ -195,7 +195,7 @@ namespace RigidBodyDynamics
             Keep(place);
         }
 
-        /// <summary>The first bodies come.</summary>
+        /// <summary>Called when the first bodies are added.</summary>
         private void Awake()
         {
             _step = _stayed = _clock.Step;

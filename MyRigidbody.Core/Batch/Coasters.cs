@@ -4,18 +4,18 @@ using System;
 namespace RigidBodyDynamics
 {
     /// <summary>
-    /// Bodies that are not stepped while nobody looks: when each began to coast, and how far it has been followed. The
-    /// bits are those of a <see cref="Simulation"/>, which goes by the same rule (<see cref="Stretch{TIntegrator}"/>).
+    /// Bodies that are not stepped until their states are read: for each, the step in which it began to coast, and the step to
+    /// which it has been followed. The bits are those of a single body (<see cref="Stretch{TIntegrator}"/>).
     /// </summary>
     internal sealed class Coasters
     {
-        // bodies that have no closed form are stepped all the way; places where no body is hold nobody up
+        // bodies without a closed form are stepped all the way; an empty place delays no other
         private const long Never = long.MaxValue, Nobody = -1;
 
         private readonly Crowd _crowd;
         private readonly TimeSteps _steps;
         private readonly int _width;
-        // of each body; of each group of neighbours that are stepped together
+        // the first for each body; the others for each group of neighbours that are stepped together
         private long[] _anchored = Array.Empty<long>(), _at = Array.Empty<long>(), _next = Array.Empty<long>();
         private Coasting _coasting;
         private int _stretch;
@@ -36,7 +36,7 @@ namespace RigidBodyDynamics
             Array.Fill(_anchored, Nobody, old, capacity - old);
         }
 
-        /// <summary>Another stretch in which the bodies coast.</summary>
+        /// <summary>Begins another stretch in which the bodies coast.</summary>
         public void Begin(int stretch, in Coasting coasting)
         {
             _stretch = stretch;
@@ -44,7 +44,7 @@ namespace RigidBodyDynamics
         }
 
         /// <summary>
-        /// Lets bodies coast from a step on, at which they have been kept. Those with whom they share a group have been followed to it.
+        /// Lets bodies coast from a step at which they were stored. The other bodies of their groups have been followed to that step.
         /// </summary>
         public void Enter(int from, int to, long step)
         {
@@ -55,7 +55,7 @@ namespace RigidBodyDynamics
                 Settle(group, step);
         }
 
-        /// <summary>A body goes from one place to another; both groups have been followed to the step.</summary>
+        /// <summary>Moves a body from one place to another; both groups have been followed to the step.</summary>
         public void Move(int from, int to, long step)
         {
             _anchored[to] = _anchored[from];
@@ -67,7 +67,7 @@ namespace RigidBodyDynamics
         /// <summary>True if the body in a place has a closed form.</summary>
         public bool HasForm(int place) => _anchored[place] != Never;
 
-        /// <summary>Nobody is anywhere.</summary>
+        /// <summary>Marks all places as empty.</summary>
         public void Clear()
         {
             Array.Fill(_anchored, Nobody);
@@ -83,7 +83,7 @@ namespace RigidBodyDynamics
             _next = (long[])saved[2].Clone();
         }
 
-        /// <summary>Bodies, in whole groups, have been brought back to a step.</summary>
+        /// <summary>Records that bodies, in whole groups, are at a step again.</summary>
         public void Put(int from, int to, long step)
         {
             for (int group = from / _width; group < to / _width; group++)
@@ -101,7 +101,7 @@ namespace RigidBodyDynamics
 
             for (int group = from / _width; group < to / _width;)
             {
-                // neighbours that have come as far go on together
+                // neighbouring groups at the same step continue together
                 long at = _at[group];
                 int first = group;
                 for (; group < to / _width && _at[group] == at; group++)
@@ -111,7 +111,7 @@ namespace RigidBodyDynamics
             }
         }
 
-        /// <summary>Takes a group past the closed forms that are due. Where all are due at once, that is as far as it goes.</summary>
+        /// <summary>Takes a group past the closed forms that are due; stops there if all of them fall on one step.</summary>
         private void Leap(Stepper stepper, int group, long step)
         {
             int from = group * _width, to = from + _width;
@@ -128,7 +128,7 @@ namespace RigidBodyDynamics
                 return;
             }
 
-            // step by step from where the first of them is needed; the others come in where they are
+            // steps one by one from where the first body of the group needs it; the others join in at their own steps
             long now = step;
             for (int i = from; i < to; i++)
                 now = _anchored[i] == Nobody ? now : Math.Min(now, LastForm(_anchored[i], at, step));
@@ -155,7 +155,7 @@ namespace RigidBodyDynamics
             Settle(group, step);
         }
 
-        /// <summary>The last closed form up to a step, or where the body is, if that is later or the body not yet there.</summary>
+        /// <summary>The last step up to a given one at which the body takes a closed form, or its own step if that is later or it is not there yet.</summary>
         private static long LastForm(long anchored, long at, long step) =>
             anchored == Never || anchored == Nobody || anchored > step
                 ? at

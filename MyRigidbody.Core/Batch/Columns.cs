@@ -8,23 +8,23 @@ using Lanes = System.Numerics.Vector<double>;
 namespace RigidBodyDynamics
 {
     /// <summary>
-    /// The numbers of many bodies, a column for each kind of number and a row for each body, so that the same number of
-    /// neighbouring bodies is one vector. The rows up to the end of the last block are there, lived in or not. What is touched
-    /// one body at a time lies row after row instead.
+    /// The numbers of many bodies: a column for each kind of number and a row for each body, so that one number of neighbouring
+    /// bodies is one vector. Rows up to the end of the last block exist, used or not. Columns that are accessed one body at a time
+    /// are stored row after row instead.
     /// </summary>
     internal sealed class Columns
     {
-        /// <summary>How many neighbours a block has: their numbers stay in the innermost cache from one pass over them to the next.</summary>
+        /// <summary>The number of bodies in a block: their numbers stay in the first-level cache from one pass over them to the next.</summary>
         public const int RowsOfBlock = 32;
 
-        // doubles of a line of the cache; columns that start at the same address modulo 4096 would push one another out of it
+        // doubles in a cache line; columns that start at the same address modulo 4096 would evict one another
         private const int Line = 8;
 
         private readonly bool _areRows;
         private double[] _numbers = Array.Empty<double>();
-        // of each block, what has been found out about all its bodies
+        // for each block, the step length for which all its bodies are ready
         private double[] _ready = Array.Empty<double>();
-        // where the first number is; from a number to the next of the same body, and to the same of the next body
+        // where the first number is; from a number to the next of the same body, and to the same number of the next body
         private int _first, _stride, _next;
 
         public Columns(int count, bool areRows = false)
@@ -33,13 +33,13 @@ namespace RigidBodyDynamics
             _areRows = areRows;
         }
 
-        /// <summary>How many columns there are.</summary>
+        /// <summary>The number of columns.</summary>
         public int Count { get; }
 
-        /// <summary>How many rows there are.</summary>
+        /// <summary>The number of rows.</summary>
         public int Rows { get; private set; }
 
-        /// <summary>The end of the block in which a row is.</summary>
+        /// <summary>The end of the block that contains a row.</summary>
         public static int EndOfBlock(int row) => (row / RowsOfBlock + 1) * RowsOfBlock;
 
         /// <summary>Neighbours from one row to another of the same block, in whole vectors.</summary>
@@ -47,7 +47,7 @@ namespace RigidBodyDynamics
         public Block From(int row, int to) =>
             new Block(_numbers.AsSpan(_first + row, (Count - 1) * _stride + to - row), _stride, to - row, ref _ready[row / RowsOfBlock]);
 
-        /// <summary>The numbers of one body, to be carried into its struct or out of it.</summary>
+        /// <summary>The numbers of one body, to be copied into its struct or out of it.</summary>
         public Row Row(int row, bool isOut)
         {
             if (isOut)
@@ -56,7 +56,7 @@ namespace RigidBodyDynamics
             return new Row(_numbers.AsSpan(_first + row * _next), _stride, isOut);
         }
 
-        /// <summary>The squares of one number of some bodies, summed in any order.</summary>
+        /// <summary>The sum of the squares of one number over some bodies, in any order.</summary>
         [MethodImpl(Kernel.Compiled)]
         public double SumOfSquares(int column, int from, int to)
         {
@@ -97,7 +97,7 @@ namespace RigidBodyDynamics
                 Array.Copy(old._numbers, old._first + i * old._stride, _numbers, _first + i * _stride, old.Rows);
         }
 
-        /// <summary>Copies rows to another with the same columns.</summary>
+        /// <summary>Copies rows into another set of the same columns.</summary>
         public void CopyTo(Columns other, int from, int to)
         {
             double[] numbers = _numbers, others = other._numbers;
@@ -110,7 +110,7 @@ namespace RigidBodyDynamics
             }
         }
 
-        /// <summary>Makes them as others are that have as many columns.</summary>
+        /// <summary>Becomes a copy of another set with as many columns.</summary>
         public void CopyFrom(Columns other)
         {
             if (Rows != other.Rows)
@@ -128,7 +128,7 @@ namespace RigidBodyDynamics
                 _numbers[i + to * _next] = _numbers[i + from * _next];
         }
 
-        /// <summary>What was found out about blocks holds no longer.</summary>
+        /// <summary>Forgets for which step length blocks are ready.</summary>
         private void Change(int from, int to)
         {
             for (int block = from / RowsOfBlock; block < _ready.Length && block * RowsOfBlock < to; block++)
@@ -136,14 +136,14 @@ namespace RigidBodyDynamics
         }
     }
 
-    /// <summary>Neighbours of one block, so many that it takes whole vectors.</summary>
+    /// <summary>Neighbouring bodies of one block, in whole vectors.</summary>
     internal readonly ref struct Block
     {
-        /// <summary>How many they are.</summary>
+        /// <summary>How many bodies they are.</summary>
         public readonly int Rows;
 
         private readonly Span<double> _numbers, _ready;
-        // in the width of an address, so that it need not be widened for every access
+        // as wide as an address, so that no access has to widen it
         private readonly long _stride;
 
         public Block(Span<double> numbers, long stride, int rows, ref double ready)
@@ -154,25 +154,25 @@ namespace RigidBodyDynamics
             Rows = rows;
         }
 
-        /// <summary>The length (s) of a step for which all bodies of the whole block are ready; not a number where that is not known.</summary>
+        /// <summary>The step length, s, for which all bodies of the whole block are ready; NaN where that is unknown.</summary>
         public double ReadyFor
         {
             get => _ready[0];
             set => _ready[0] = value;
         }
 
-        /// <summary>True if there are no others in the block.</summary>
+        /// <summary>True if these are all bodies of the block.</summary>
         public bool IsWhole => Rows == Columns.RowsOfBlock;
 
-        /// <summary>Some of them, from one of them on.</summary>
+        /// <summary>A part of the bodies, from a row on.</summary>
         public Block Part(int row, int rows) => new Block(_numbers.Slice(row), _stride, rows, ref _ready[0]);
 
-        /// <summary>As many neighbours as a vector has lanes, from one of them on.</summary>
+        /// <summary>As many neighbours as a vector has lanes, from a row on.</summary>
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
         public Group At(int row) => new Group(_numbers.Slice(row), _stride);
     }
 
-    /// <summary>The numbers of neighbours that are computed together: of each column one vector.</summary>
+    /// <summary>The numbers of neighbours that are computed together: one vector for each column.</summary>
     internal readonly ref struct Group
     {
         private readonly Span<double> _numbers;
@@ -188,7 +188,7 @@ namespace RigidBodyDynamics
         /// <summary>One of the neighbours.</summary>
         public Row Row(int lane, bool isOut) => new Row(_numbers.Slice(lane), (int)_stride, isOut);
 
-        /// <summary>A number of each; the column is not checked, because that would cost as much as the arithmetic.</summary>
+        /// <summary>One number of each body; the column is not checked, because that would cost as much as the arithmetic.</summary>
         public ref Lanes this[int column]
         {
             [MethodImpl(MethodImplOptions.AggressiveInlining)]
@@ -196,7 +196,7 @@ namespace RigidBodyDynamics
         }
     }
 
-    /// <summary>The numbers of one body, to be carried from its row into its struct or out of there.</summary>
+    /// <summary>The numbers of one body, to be copied from its row into its struct or back.</summary>
     internal readonly ref struct Row
     {
         private readonly Span<double> _numbers;

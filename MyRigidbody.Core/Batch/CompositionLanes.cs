@@ -6,8 +6,8 @@ using Lanes = System.Numerics.Vector<double>;
 namespace RigidBodyDynamics
 {
     /// <summary>
-    /// <see cref="Composition{TTop, TScheme}"/> for several bodies at once, with pushes that read nothing but the time:
-    /// what they give is the same for all.
+    /// <see cref="Composition{TTop, TScheme}"/> for several bodies at once, with pushes that read only the time:
+    /// they give the same to all bodies.
     /// </summary>
     internal struct CompositionLanes<TTop, TScheme> : ILaneRule
         where TTop : struct, ITopLanes
@@ -198,7 +198,7 @@ namespace RigidBodyDynamics
         }
     }
 
-    /// <summary>The columns that every body of such a crowd has, whatever its top; those of the top follow.</summary>
+    /// <summary>The columns of every body of such a crowd, whatever its top; the columns of the top follow.</summary>
     internal static class CompositionLanes
     {
         public const int X = 0, V = 3, XLost = 6, VLost = 9, Columns = 12;
@@ -208,7 +208,7 @@ namespace RigidBodyDynamics
     {
         public Crowd InLanes(BodyDescription body) => default(TTop) is IHasLanes top ? top.InLanes<TScheme>(body) : null;
 
-        /// <summary>A crowd of bodies with a kind of top that has a form for several at once.</summary>
+        /// <summary>A crowd of bodies whose kind of top can be computed in lanes.</summary>
         internal sealed class InColumns<TCarried, TLanes> : LaneCrowd<Composition<TCarried, TScheme>, CompositionLanes<TLanes, TScheme>>
             where TCarried : struct, IFreeTop, IHasLanes
             where TLanes : struct, ITopLanes
@@ -243,7 +243,7 @@ namespace RigidBodyDynamics
         }
     }
 
-    /// <summary>What pushes give to every body alike.</summary>
+    /// <summary>The impulse that pushes give to every body alike.</summary>
     internal readonly struct SharedImpulse
     {
         public readonly EffectTraits Does;
@@ -251,7 +251,7 @@ namespace RigidBodyDynamics
         /// <summary>The change of the velocity, m/s.</summary>
         public readonly Vector3d Velocity;
 
-        /// <summary>Angular momentum in world axes and in body axes, N m s, both in the order of the top's own axes.</summary>
+        /// <summary>Angular momentum in world axes and in body axes, N m s, each in the axis order of the top.</summary>
         public readonly Vector3d World, Body;
 
         public readonly bool HasWorld, HasBody;

@@ -4,7 +4,7 @@ using System.Collections.Generic;
 
 namespace RigidBodyDynamics
 {
-    /// <summary>A crowd whose bodies move by one rule: what is wanted of a single one is done by its own struct.</summary>
+    /// <summary>A crowd whose bodies share one integrator: work on a single body is done by that struct.</summary>
     internal abstract class CrowdOf<TBody> : Crowd where TBody : struct, IIntegrator
     {
         private readonly List<TBody> _aside = new List<TBody>();
@@ -12,7 +12,7 @@ namespace RigidBodyDynamics
 
         public override bool HasClosedForm(int place, in Coasting coasting)
         {
-            // which steps it is prepared for does not matter
+            // the step length does not matter here
             TBody body = Out(place);
             body.Prepare(1, coasting);
             return body.HasClosedForm;
@@ -46,7 +46,7 @@ namespace RigidBodyDynamics
             }
             catch (Exception)
             {
-                // an effect's; asked for it again when it is named
+                // the exception of an effect; the effect is evaluated again to name it
                 return false;
             }
 
@@ -82,16 +82,16 @@ namespace RigidBodyDynamics
         public override LoneMover Alone(BodyPlan plan, Clock clock, int place, long since, int keptIn, int stretch, bool coasts) =>
             new Mover<TBody>(plan, clock, Out(place), Kept(place), since, keptIn, stretch, coasts);
 
-        /// <summary>A body as it is now.</summary>
+        /// <summary>The present state of a body, as its integrator's struct.</summary>
         protected abstract TBody Out(int place);
 
-        /// <summary>A body as it was kept.</summary>
+        /// <summary>The stored state of a body.</summary>
         protected abstract TBody Kept(int place);
 
-        /// <summary>Makes a body another, which is not changed.</summary>
+        /// <summary>Writes a body, without changing the struct.</summary>
         protected abstract void In(int place, ref TBody body);
 
-        /// <summary>Makes an array as another is.</summary>
+        /// <summary>Makes an array a copy of another.</summary>
         protected static void Copy<T>(T[] from, ref T[] to)
         {
             if (to.Length != from.Length)

@@ -1,7 +1,7 @@
 #if NET
 namespace RigidBodyDynamics
 {
-    /// <summary>Chooses how bodies are stored: in lanes where their rule has such a form and no push reads their states.</summary>
+    /// <summary>Chooses the storage of bodies: lanes where the integrator supports them and no push reads a state.</summary>
     internal static class Crowds
     {
         internal const EffectTraits ReadsState =
@@ -35,10 +35,10 @@ namespace RigidBodyDynamics
         }
     }
 
-    /// <summary>A rule that has a form for several bodies at once.</summary>
+    /// <summary>An integrator that can be computed in lanes.</summary>
     internal interface IRuleInLanes
     {
-        /// <summary>A crowd in lanes; null where a body of this kind has none.</summary>
+        /// <summary>A crowd in lanes; null where this kind of body has none.</summary>
         Crowd InLanes(BodyDescription body);
     }
 }

@@ -7,10 +7,10 @@ namespace RigidBodyDynamics
 {
     public static partial class Elementary
     {
-        /// <summary><see cref="SinCos(double, out double, out double)"/> for several numbers at once: its operations in its order.</summary>
+        /// <summary><see cref="SinCos(double, out double, out double)"/> for several numbers at once: the same operations in the same order.</summary>
         internal static void SinCosOf(Lanes x, out Lanes sin, out Lanes cos)
         {
-            // only a number this large wants a division with a remainder; the others do not notice
+            // only numbers this large need a division with remainder; it changes no bit of the others
             if (!Vector.LessThanOrEqualAll(Vector.Abs(x), new Lanes(LargestExactArgument)))
                 x = Reduced(x);
 

@@ -4,18 +4,18 @@ using System;
 namespace RigidBodyDynamics
 {
     /// <summary>
-    /// What bodies have in common that were added with one description, and those of them that are moved together: apart from one
-    /// another where the one's start lets something be left out and the other's does not.
+    /// What bodies that were added with one description have in common, and their batches: bodies are in one batch where the start
+    /// of each lets the same be left out.
     /// </summary>
     internal sealed class Kind
     {
         private readonly Batch[] _batches = new Batch[(int)(Omissions.Rotation | Omissions.Translation) + 1];
         private BodyPlan _atRest;
 
-        /// <summary>The bodies together with which one is moved that starts so now; new ones if the description has been changed.</summary>
-        /// <param name="description">The description as it is.</param>
+        /// <summary>The batch for a body that starts now; a new one if the description has changed.</summary>
+        /// <param name="description">The present description.</param>
         /// <param name="start">How the body starts.</param>
-        /// <param name="clock">When it is now.</param>
+        /// <param name="clock">The clock of the simulation.</param>
         /// <param name="mayLeaveOut">What may be left out.</param>
         public Batch For(BodyDescription description, in BodyState start, Clock clock, Omissions mayLeaveOut)
         {
@@ -39,7 +39,7 @@ namespace RigidBodyDynamics
             return batch;
         }
 
-        /// <summary>The same for a body that is of this kind.</summary>
+        /// <summary>The batch for a body of this kind.</summary>
         public Batch For(in BodyState start, Clock clock, Omissions mayLeaveOut) => For(_atRest.Asked, start, clock, mayLeaveOut);
 
         private static BodyDescription At(BodyDescription description, in BodyState start)

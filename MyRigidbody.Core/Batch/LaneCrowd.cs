@@ -6,13 +6,13 @@ using Lanes = System.Numerics.Vector<double>;
 
 namespace RigidBodyDynamics
 {
-    /// <summary>A rule for the bodies in a set of columns, as many at once as a vector has lanes.</summary>
+    /// <summary>An integrator of the bodies in a set of columns, as many at once as a vector has lanes.</summary>
     internal interface ILaneRule : ICrowdRule
     {
         /// <summary>The bodies of the crowd.</summary>
         Columns Bodies { get; }
 
-        /// <summary>Bodies as they are seen.</summary>
+        /// <summary>Computes the states of bodies.</summary>
         void Show(in Group bodies, out GroupState seen);
     }
 
@@ -24,16 +24,16 @@ namespace RigidBodyDynamics
         public VectorLanes Velocity, AngularVelocity;
     }
 
-    /// <summary>A crowd in columns of numbers, neighbours in lanes. What a single body wants is done by its own rule.</summary>
+    /// <summary>A crowd in columns of numbers, neighbours in lanes. Work on a single body is done by its own integrator.</summary>
     internal abstract class LaneCrowd<TBody, TLanes> : CrowdOf<TBody>
         where TBody : struct, IIntegrator
         where TLanes : struct, ILaneRule
     {
         private readonly TLanes _lanes;
         private readonly Columns _now, _kept;
-        // knows what all bodies share
+        // holds what all bodies share
         private readonly TBody _one;
-        // those that are seen of a body, whatever its rule keeps beside them
+        // the columns of the state, without those that the integrator keeps beside it
         private readonly int[] _seen;
 
         protected LaneCrowd(BodyDescription body, TLanes lanes)
@@ -82,8 +82,8 @@ namespace RigidBodyDynamics
         }
 
         /// <summary>
-        /// A sum of squares is finite only if all that is summed is: so all bodies are looked at together, column by column, and one
-        /// by one only where that is not.
+        /// A sum of squares is finite only if every number is: so all bodies are tested together, column by column, and one by one
+        /// only where the sum is not finite.
         /// </summary>
         public override int FirstLost(int from, int to)
         {
@@ -99,7 +99,7 @@ namespace RigidBodyDynamics
             return -1;
         }
 
-        // what a body is prepared for is said in its own columns
+        // the columns of a body say for which step length it is prepared
         public override void Forget(int from, int to) { }
 
         public override void Keep(int from, int to) => _now.CopyTo(_kept, from, to);
@@ -148,7 +148,7 @@ namespace RigidBodyDynamics
 
         protected override void In(int place, ref TBody body) => Carry(ref body, _now.Row(place, isOut: true), isAll: true);
 
-        /// <summary>Carries what changes in a body to its row or from there: all of it, or what one sees of it.</summary>
+        /// <summary>Copies what changes in a body to its row or back: all of it, or only its state.</summary>
         protected abstract void Carry(ref TBody body, Row row, bool isAll);
 
         private static void Write(ReadOnlySpan<double> numbers, ref BodyState state)
@@ -171,7 +171,7 @@ namespace RigidBodyDynamics
             return Guard.IsFinite(sum);
         }
 
-        /// <summary>Which columns a body fills when it is carried to be seen.</summary>
+        /// <summary>The columns that a body writes when its state is read.</summary>
         private int[] Seen()
         {
             Columns probe = new Columns(_now.Count);

@@ -6,7 +6,7 @@ using Vector = System.Numerics.Vector;
 
 namespace RigidBodyDynamics
 {
-    /// <summary>A number of each of several bodies in twice the digits. Every operation is that of <see cref="DoubleDouble"/>, in its order.</summary>
+    /// <summary>A number of each of several bodies in twice the digits: the operations of <see cref="DoubleDouble"/>, in the same order.</summary>
     internal struct LongLanes
     {
         public Lanes High;
@@ -19,7 +19,7 @@ namespace RigidBodyDynamics
             Low = low - (High - high);
         }
 
-        /// <summary>The same for all.</summary>
+        /// <summary>The same number for all bodies.</summary>
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
         public static implicit operator LongLanes(DoubleDouble x) => new LongLanes(new Lanes(x.High), new Lanes(x.Low));
 
@@ -77,7 +77,7 @@ namespace RigidBodyDynamics
         private static Lanes Upper(Lanes x) => Vector.AsVectorDouble(Vector.AsVectorInt64(x) & new Masks(DoubleDouble.UpperHalf));
     }
 
-    /// <summary>A turn of each of several bodies in twice the digits. Every operation is that of <see cref="Quaterniondd"/>, in its order.</summary>
+    /// <summary>A rotation of each of several bodies in twice the digits: the operations of <see cref="Quaterniondd"/>, in the same order.</summary>
     internal struct LongTurnLanes
     {
         public LongLanes W, X, Y, Z;
@@ -111,7 +111,7 @@ namespace RigidBodyDynamics
             third += new LongLanes(2 * f, 2 * (fl - off * f));
         }
 
-        /// <summary>The same turn after another, which all bodies have.</summary>
+        /// <summary>This rotation after another, which all bodies share.</summary>
         [MethodImpl(Kernel.Compiled)]
         public void After(in Quaterniondd first)
         {
@@ -125,7 +125,7 @@ namespace RigidBodyDynamics
 
     internal readonly partial struct PrincipalAxesOrder
     {
-        /// <summary>The orientations of bodies, from what takes principal axes to the world's, both in this order.</summary>
+        /// <summary>The orientations of bodies, from quaternions that take principal axes to world axes, both in this order.</summary>
         public void ToBody(ref LongTurnLanes q)
         {
             (q.X, q.Y, q.Z) = Last == 0 ? (q.X, q.Y, q.Z) : Last == 1 ? (q.Y, q.Z, q.X) : (q.Z, q.X, q.Y);
@@ -133,7 +133,7 @@ namespace RigidBodyDynamics
                 q.After(Frame.Conjugate);
         }
 
-        /// <summary>Vectors in the world's axes in this order, in world axes.</summary>
+        /// <summary>Vectors in world axes, from vectors in world axes in this order.</summary>
         public VectorLanes ToWorld(VectorLanes v) =>
             Last == 0 ? v : Last == 1 ? new VectorLanes(v.Y, v.Z, v.X) : new VectorLanes(v.Z, v.X, v.Y);
     }

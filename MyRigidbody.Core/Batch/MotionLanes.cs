@@ -9,7 +9,7 @@ namespace RigidBodyDynamics
 {
     internal readonly partial struct Decay
     {
-        /// <summary>What is left of a number of each body.</summary>
+        /// <summary>A number of each body after the damping.</summary>
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
         public Lanes Of(Lanes x)
         {
@@ -17,7 +17,7 @@ namespace RigidBodyDynamics
             return IsNone ? left : Rest(left);
         }
 
-        /// <summary>Takes off a running sum of each body what it loses.</summary>
+        /// <summary>Subtracts the damped part from a running sum of each body.</summary>
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
         public void Take(ref Lanes x, ref Lanes lost)
         {
@@ -34,7 +34,7 @@ namespace RigidBodyDynamics
             lost = Rest(lost);
         }
 
-        /// <summary>The same of a vector of each body.</summary>
+        /// <summary>The same for a vector of each body.</summary>
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
         public void Take(ref VectorLanes v, ref VectorLanes lost)
         {
@@ -43,7 +43,7 @@ namespace RigidBodyDynamics
             Take(ref v.Z, ref lost.Z);
         }
 
-        /// <summary>What is left of a vector of each body by a factor alone.</summary>
+        /// <summary>A vector of each body after a factor alone.</summary>
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
         public static VectorLanes By(double factor, VectorLanes v)
         {

@@ -7,8 +7,8 @@ using Vector = System.Numerics.Vector;
 namespace RigidBodyDynamics
 {
     /// <summary>
-    /// <see cref="OrbitStep"/> for several bodies at once: its operations in its order. Each lane is doubled as often as it
-    /// wants; both of two branches are computed, and each lane takes its own.
+    /// <see cref="OrbitStep"/> for several bodies at once: the same operations in the same order. Each lane is doubled as often as
+    /// it needs; both sides of a branch are computed, and each lane takes its own.
     /// </summary>
     internal struct OrbitLanes
     {

@@ -4,13 +4,13 @@ using System.Collections.Generic;
 
 namespace RigidBodyDynamics
 {
-    /// <summary>What is done with all bodies of a batch, part by part, by the threads of a team.</summary>
+    /// <summary>Work on all bodies of a batch, part by part, by the threads of a team.</summary>
     internal sealed class Parts
     {
-        // to look whether all bodies still have states takes twice as long as the shortest step
+        // testing whether all states are finite takes twice as long as the shortest step
         public const long StepsBetweenLooks = 64;
 
-        // enough for a thread to be worth waking, few enough to stay in its cache
+        // enough work to wake a thread for, few enough bodies to stay in its cache
         public const int BodiesOfPart = 1024;
 
         private readonly Crowd _crowd;
@@ -34,7 +34,7 @@ namespace RigidBodyDynamics
             _team = new Team<Stepper>(() => _crowd.NewStepper(plan), Work);
         }
 
-        /// <summary>How many threads may work at a time.</summary>
+        /// <summary>The largest number of threads that work at a time.</summary>
         public int Threads
         {
             get => _team.Threads;
@@ -44,17 +44,17 @@ namespace RigidBodyDynamics
         /// <summary>The stepper of the calling thread.</summary>
         public Stepper Own => _team.Own;
 
-        /// <summary>True if some body could not do what was asked, or was found without a state, since the last <see cref="FindLost"/>.</summary>
+        /// <summary>True if, since the last <see cref="FindLost"/>, some body could not do its work or had no finite state.</summary>
         public bool AnyFailed => _failed.Count > 0;
 
-        /// <summary>A stretch begins.</summary>
+        /// <summary>Begins a stretch.</summary>
         public void Begin(int stretch, bool coasts)
         {
             _stretch = stretch;
             _coasts = coasts;
         }
 
-        /// <summary>Steps, and looks at the bodies now and then, at the last step if that is wanted or many came before.</summary>
+        /// <summary>Steps the bodies and tests their states now and then; at the last step if requested, or if many steps came before.</summary>
         public void Step(long first, long stop, bool looksAtStop)
         {
             _first = first;
@@ -62,10 +62,10 @@ namespace RigidBodyDynamics
             Do(Task.Step, stop);
         }
 
-        /// <summary>Follows bodies that coast to a step, and looks at them.</summary>
+        /// <summary>Follows bodies that coast to a step, and tests their states.</summary>
         public void Follow(long step) => Do(Task.Follow, step);
 
-        /// <summary>Follows them, and gives the states of all that have one.</summary>
+        /// <summary>Follows them, and writes the states of all that have one.</summary>
         public void Read(long step, BodyState[] states)
         {
             _states = states;
@@ -73,13 +73,13 @@ namespace RigidBodyDynamics
             _states = null;
         }
 
-        /// <summary>Keeps the bodies, which have been looked at, as they are at a step.</summary>
+        /// <summary>Stores the bodies, whose states have been tested, at a step.</summary>
         public void Keep(long step) => Do(Task.Keep, step);
 
-        /// <summary>Brings the bodies from where they were kept to a step.</summary>
+        /// <summary>Brings the bodies from where they were stored to a step.</summary>
         public void GoBack(long step) => Do(Task.GoBack, step);
 
-        /// <summary>The exception of the first body that failed, and the step, before an end, in which it did; see <see cref="Retrace.Find(Stepper, int, int, ref long)"/>.</summary>
+        /// <summary>The exception of the first body that failed, and its step before an end; see <see cref="Retrace.Find(Stepper, int, int, ref long)"/>.</summary>
         public Exception FindLost(ref long end)
         {
             Exception found = null;
@@ -129,7 +129,7 @@ namespace RigidBodyDynamics
                 }
                 catch (Exception)
                 {
-                    // an effect's; found again when the way is retraced
+                    // the exception of an effect; found again when the steps are repeated
                 }
 
                 Fail(part);

@@ -3,7 +3,7 @@ using System;
 
 namespace RigidBodyDynamics
 {
-    /// <summary>Which body is in which place. Places are without gaps: the last body takes that of one who leaves.</summary>
+    /// <summary>Which body is in which place. There are no gaps: the last body takes the place of one that is removed.</summary>
     internal sealed class Places
     {
         private Body[] _bodies = Array.Empty<Body>();
@@ -14,7 +14,7 @@ namespace RigidBodyDynamics
 
         public void Reserve(int capacity) => Array.Resize(ref _bodies, capacity);
 
-        /// <summary>A body comes and gets the place after the last.</summary>
+        /// <summary>Gives a new body the place after the last.</summary>
         public void Add(Body body)
         {
             body.Place = Count;
@@ -29,7 +29,7 @@ namespace RigidBodyDynamics
             _bodies[Count] = null;
         }
 
-        /// <summary>All go.</summary>
+        /// <summary>Removes all bodies.</summary>
         public void Clear()
         {
             Array.Clear(_bodies, 0, Count);

@@ -4,12 +4,12 @@ using System;
 namespace RigidBodyDynamics
 {
     /// <summary>
-    /// The way back from where a body was lost. Every body is kept as it was at some step; from there the same steps once more,
-    /// to the same bits, say which body was the first, in which step, and under which effect.
+    /// Finds where a body was lost. Every body is stored as it was at some step; from there the same steps are repeated, to the same
+    /// bits, which shows the first body that was lost, its step, and the effect.
     /// </summary>
     internal sealed class Retrace
     {
-        // of a place where no body is
+        // marks an empty place
         private const long Nobody = long.MaxValue;
         private const int All = -1;
 
@@ -21,11 +21,11 @@ namespace RigidBodyDynamics
         private long[] _since = Array.Empty<long>();
         private int _only = All;
 
-        /// <param name="plan">What the bodies do.</param>
+        /// <param name="plan">The plan of the bodies.</param>
         /// <param name="crowd">The bodies.</param>
-        /// <param name="coasters">Those of them that coast.</param>
-        /// <param name="places">Knows the bodies' numbers.</param>
-        /// <param name="coasts">Of each stretch, whether bodies coast in it. They are kept where such a one begins and ends.</param>
+        /// <param name="coasters">Those that coast.</param>
+        /// <param name="places">Knows the numbers of the bodies.</param>
+        /// <param name="coasts">For each stretch, whether bodies coast in it. They are stored where such a stretch begins and ends.</param>
         public Retrace(BodyPlan plan, Crowd crowd, Coasters coasters, Places places, bool[] coasts)
         {
             _plan = plan;
@@ -42,31 +42,31 @@ namespace RigidBodyDynamics
             Array.Fill(_since, Nobody, old, capacity - old);
         }
 
-        /// <summary>Keeps bodies as they are at a step. They have been looked at.</summary>
+        /// <summary>Stores bodies at a step, after their states were tested.</summary>
         public void Keep(int from, int to, long step)
         {
             _crowd.Keep(from, to);
             Array.Fill(_since, step, from, to - from);
         }
 
-        /// <summary>A body goes from one place to another, with what is kept of it.</summary>
+        /// <summary>Moves a body, with its stored state, to another place.</summary>
         public void Move(int from, int to)
         {
             _since[to] = _since[from];
             _since[from] = Nobody;
         }
 
-        /// <summary>The step at which a body was kept.</summary>
+        /// <summary>The step at which a body was stored.</summary>
         public long Since(int place) => _since[place];
 
-        /// <summary>Nobody is anywhere.</summary>
+        /// <summary>Marks all places as empty.</summary>
         public void Clear() => Array.Fill(_since, Nobody);
 
         public long[] Save() => (long[])_since.Clone();
 
         public void Restore(long[] since) => _since = (long[])since.Clone();
 
-        /// <summary>The stretch in which a step is.</summary>
+        /// <summary>The stretch that contains a step.</summary>
         public int StretchOf(long step)
         {
             int stretch = 0;
@@ -76,7 +76,7 @@ namespace RigidBodyDynamics
             return stretch;
         }
 
-        /// <summary>Takes bodies, in whole groups, from where they were kept to a step, if they were there by then.</summary>
+        /// <summary>Takes bodies, in whole groups, from where they were stored to a step, if they existed by then.</summary>
         public void Go(Stepper stepper, int from, int to, long step)
         {
             for (int first = from, end; first < to; first = end)
@@ -92,8 +92,8 @@ namespace RigidBodyDynamics
         }
 
         /// <summary>
-        /// The exception that one of the bodies in whole groups has to answer for, and the step, before an end, that did not lead it to
-        /// a state; null if there is none. The bodies are then anywhere.
+        /// The exception of the first body lost in whole groups, and its step before an end; null if none is lost. The states of the
+        /// bodies are then undefined.
         /// </summary>
         public Exception Find(Stepper stepper, int from, int to, ref long end)
         {
@@ -116,7 +116,7 @@ namespace RigidBodyDynamics
             return found;
         }
 
-        /// <summary>The same of one body alone, whatever became of those in its group.</summary>
+        /// <summary>The same for one body alone, whatever happened to the others of its group.</summary>
         public Exception Find(Stepper stepper, int place, ref long end)
         {
             int first = place - place % _crowd.Width;
@@ -146,7 +146,7 @@ namespace RigidBodyDynamics
                 }
                 catch (Exception)
                 {
-                    // an effect's; asked for it again when it is named
+                    // the exception of an effect; the effect is evaluated again to name it
                     return step;
                 }
 
@@ -158,7 +158,7 @@ namespace RigidBodyDynamics
             return end;
         }
 
-        /// <summary>Far from where they were kept those who coast are soon, so between two such places the half way is tried.</summary>
+        /// <summary>Bodies that coast move far from where they were stored, so the step is found by bisection.</summary>
         private long FirstLostCoasting(Stepper stepper, int from, int to, long low, long end)
         {
             if (!IsLostAt(end))
@@ -217,7 +217,7 @@ namespace RigidBodyDynamics
             }
         }
 
-        /// <summary>Puts back what was kept at a step.</summary>
+        /// <summary>Restores the states that were stored at a step.</summary>
         private void Return(int from, int to, long step)
         {
             for (int i = from; i < to; i++)
@@ -231,7 +231,7 @@ namespace RigidBodyDynamics
             }
         }
 
-        /// <summary>The first place whose body is there by a step and has run away; −1 if none has.</summary>
+        /// <summary>The first place whose body existed by a step and has no finite state; −1 if there is none.</summary>
         private int Lost(int from, int to, long step)
         {
             for (int i = from; i < to; i++)
@@ -250,7 +250,7 @@ namespace RigidBodyDynamics
 
         private bool IsMeant(int place, long step) => _since[place] <= step && (_only == All || _only == place);
 
-        /// <summary>The end of as many groups as can go together because all in them were kept at one step; one group at least.</summary>
+        /// <summary>The end of the groups that can continue together because all were stored at one step; at least one group.</summary>
         private int EndOfAlike(int from, int to)
         {
             int end = from;
@@ -260,7 +260,7 @@ namespace RigidBodyDynamics
             return Math.Max(end - end % _crowd.Width, from + _crowd.Width);
         }
 
-        /// <summary>The first step after another at which one of the bodies was kept.</summary>
+        /// <summary>The first step after another at which one of the bodies was stored.</summary>
         private long Next(int from, int to, long after)
         {
             long next = Nobody;

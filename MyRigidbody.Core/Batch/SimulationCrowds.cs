@@ -3,7 +3,7 @@ using System.Runtime.CompilerServices;
 
 namespace RigidBodyDynamics
 {
-    /// <summary>Bodies that are added with one description are moved together from the second on.</summary>
+    /// <summary>Bodies that are added with one description are moved together from the second one on.</summary>
     public sealed partial class Simulation
     {
         private readonly ConditionalWeakTable<BodyDescription, Kind> _kinds = new ConditionalWeakTable<BodyDescription, Kind>();

@@ -24,7 +24,7 @@ namespace RigidBodyDynamics
         }
     }
 
-    /// <summary>The step of <see cref="SphericalTop"/> for several bodies at once: its operations in its order.</summary>
+    /// <summary>The step of <see cref="SphericalTop"/> for several bodies at once: the same operations in the same order.</summary>
     internal struct SphericalLanes : ITopLanes
     {
         public const int Q = CompositionLanes.Columns, QLost = Q + 4, Turn = QLost + 4, W = Turn + 4, WLost = W + 3, PreparedFor = W + 6;
@@ -86,7 +86,7 @@ namespace RigidBodyDynamics
             angularVelocity = new VectorLanes(bodies, W);
         }
 
-        /// <summary>For all of them: the turn of one that is prepared already comes out as it is.</summary>
+        /// <summary>Prepares all bodies: a rotation that is prepared already gets the same bits.</summary>
         private static void Prepare(in Group bodies, double time)
         {
             VectorLanes w = new VectorLanes(bodies, W);

@@ -3,7 +3,7 @@ using System;
 
 namespace RigidBodyDynamics
 {
-    /// <summary>A crowd for any rule and any push: an array of the rule's own structs.</summary>
+    /// <summary>A crowd for any integrator and any push: an array of the integrator's own structs.</summary>
     internal sealed class StructCrowd<TIntegrator> : CrowdOf<TIntegrator> where TIntegrator : struct, IIntegrator
     {
         private TIntegrator[] _now = Array.Empty<TIntegrator>(), _kept = Array.Empty<TIntegrator>();

@@ -36,7 +36,7 @@ namespace RigidBodyDynamics
         }
     }
 
-    /// <summary>The step of <see cref="SymmetricTop"/> for several bodies at once: its operations in its order.</summary>
+    /// <summary>The step of <see cref="SymmetricTop"/> for several bodies at once: the same operations in the same order.</summary>
     internal struct SymmetricLanes : ITopLanes
     {
         public const int Q = CompositionLanes.Columns, QLost = Q + 4, Turn = QLost + 4, Momentum = Turn + 4;
@@ -123,7 +123,7 @@ namespace RigidBodyDynamics
             orientation = q.Rounded;
         }
 
-        /// <summary>For all of them: the constants of one that is prepared already come out as they are.</summary>
+        /// <summary>Prepares all bodies: constants that are prepared already get the same bits.</summary>
         private void Prepare(in Group bodies, double time)
         {
             VectorLanes rate = 1 / _across * new VectorLanes(bodies, Momentum);

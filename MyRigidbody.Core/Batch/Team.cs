@@ -6,11 +6,11 @@ using System.Threading;
 namespace RigidBodyDynamics
 {
     /// <summary>
-    /// Does work that is divided into parts, on the calling thread and on others of the pool. Whoever is free takes the next
-    /// part; the caller does all of them if nobody comes. Allocates nothing.
+    /// Divides work into parts for the calling thread and threads of the pool. A free thread takes the next part; the caller does
+    /// all parts if no other thread comes. Allocates nothing.
     /// </summary>
     /// <remarks>
-    /// Each brings a tool that is his alone, also one who was called, was then dismissed and comes late: no two ever share one.
+    /// Each thread has a tool of its own, even a helper that was called, dismissed and starts late: no two share one.
     /// </remarks>
     /// <typeparam name="TTool">What one thread needs for the work.</typeparam>
     internal sealed class Team<TTool>
@@ -21,7 +21,7 @@ namespace RigidBodyDynamics
         private readonly ManualResetEventSlim _done = new ManualResetEventSlim();
         private Helper[] _helpers = Array.Empty<Helper>();
         private Exception _failure;
-        // counted down: one who comes late finds none left, whatever is being prepared next
+        // counted down: a helper that starts late finds no part left, whatever is being prepared next
         private int _parts, _untaken, _unfinished;
 
         /// <summary>A team for one kind of work.</summary>
@@ -34,7 +34,7 @@ namespace RigidBodyDynamics
             _own = newTool();
         }
 
-        /// <summary>How many threads may work at a time, the calling one among them.</summary>
+        /// <summary>The largest number of threads that work at a time, the calling one included.</summary>
         public int Threads
         {
             get => _helpers.Length + 1;
@@ -77,12 +77,12 @@ namespace RigidBodyDynamics
             {
                 try
                 {
-                    // in the order in which they lie in memory
+                    // in the order of memory
                     _work(tool, _parts - 1 - part);
                 }
                 catch (Exception failure)
                 {
-                    // an effect is somebody else's code, and may throw
+                    // an effect may be foreign code, and may throw
                     _failure = failure;
                 }
 
@@ -106,14 +106,14 @@ namespace RigidBodyDynamics
                 _tool = tool;
             }
 
-            /// <summary>Asks for help, unless the helper is on its way.</summary>
+            /// <summary>Calls a helper, unless it is on its way.</summary>
             public void Call()
             {
                 if (Interlocked.Exchange(ref _isCalled, 1) == 0)
                     ThreadPool.UnsafeQueueUserWorkItem(this, preferLocal: false);
             }
 
-            /// <summary>No help is wanted any more, not even that which was called for.</summary>
+            /// <summary>Dismisses helpers, even those that were called and have not started.</summary>
             public void Dismiss() => Volatile.Write(ref _isDismissed, true);
 
             public void Execute()

@@ -4,34 +4,34 @@ namespace RigidBodyDynamics
     /// <summary><see cref="IFreeTop"/> for several bodies at once, whose numbers are in columns from a row on.</summary>
     internal interface ITopLanes
     {
-        /// <summary>How many columns a body has in all.</summary>
+        /// <summary>The number of columns of a body.</summary>
         int Columns { get; }
 
         void Start(MassProperties mass);
 
-        /// <summary>A vector in body axes, in the axes in which the top wants it.</summary>
+        /// <summary>A vector in body axes, in the axes of the top.</summary>
         Vector3d FromBody(Vector3d v);
 
-        /// <summary>A vector in world axes, in the axes of the world in the order in which the top wants them.</summary>
+        /// <summary>A vector in world axes, in the axis order of the top.</summary>
         Vector3d FromWorld(Vector3d v);
 
-        /// <summary>Turns the bodies of a block.</summary>
+        /// <summary>Rotates the bodies of a block.</summary>
         void Advance(in Block bodies, double time);
 
         void Kick(in Group bodies, in SharedImpulse impulse);
 
         void Damp(in Group bodies, in Decay decay);
 
-        /// <summary>Orientations and angular velocities as they are seen, to the bits of <see cref="IFreeTop.Show"/>.</summary>
+        /// <summary>Orientations and angular velocities, to the bits of <see cref="IFreeTop.Show"/>.</summary>
         void Show(in Group bodies, out QuaternionLanes orientation, out VectorLanes angularVelocity);
     }
 
-    /// <summary>A top that has a form for several bodies at once.</summary>
+    /// <summary>A top that can be computed in lanes.</summary>
     internal interface IHasLanes
     {
         Crowd InLanes<TScheme>(BodyDescription body) where TScheme : struct, IScheme;
 
-        /// <summary>Carries what changes in it to its row or from there: all of it, or what one sees of it.</summary>
+        /// <summary>Copies what changes in it to its row or back: all of it, or only its orientation and angular velocity.</summary>
         void Carry(Row row, bool isAll);
     }
 
@@ -48,7 +48,7 @@ namespace RigidBodyDynamics
         }
     }
 
-    /// <summary>Bodies that do not turn.</summary>
+    /// <summary>Bodies that do not rotate.</summary>
     internal struct HeldLanes : ITopLanes
     {
         public int Columns => CompositionLanes.Columns + 4;

@@ -10,13 +10,13 @@ namespace RigidBodyDynamics
     internal static class Kernel
     {
         /// <summary>
-        /// At once and for good, and by themselves: a compiler that has seen some branch seldom taken leaves what is in it
-        /// uninlined, and everything that goes by reference into it then lives in memory: several times the time.
+        /// Optimised at the first call and not inlined: with a profile, the compiler does not inline into branches that were seldom
+        /// taken, and everything passed to them by reference then lives in memory, which takes several times as long.
         /// </summary>
         public const MethodImplOptions Compiled = MethodImplOptions.AggressiveOptimization | MethodImplOptions.NoInlining;
     }
 
-    /// <summary>A vector of each of several bodies. Every operation is that of <see cref="Vector3d"/>, in its order.</summary>
+    /// <summary>A vector of each of several bodies: the operations of <see cref="Vector3d"/>, in the same order.</summary>
     internal struct VectorLanes
     {
         public Lanes X;
@@ -31,7 +31,7 @@ namespace RigidBodyDynamics
             Z = z;
         }
 
-        /// <summary>The same vector for all.</summary>
+        /// <summary>The same vector for all bodies.</summary>
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
         public VectorLanes(Vector3d v)
         {
@@ -82,7 +82,7 @@ namespace RigidBodyDynamics
             Numerics.ConditionalSelect(where, a.X, b.X), Numerics.ConditionalSelect(where, a.Y, b.Y), Numerics.ConditionalSelect(where, a.Z, b.Z));
     }
 
-    /// <summary>A quaternion of each of several bodies. Every operation is that of <see cref="Quaterniond"/>, in its order.</summary>
+    /// <summary>A quaternion of each of several bodies: the operations of <see cref="Quaterniond"/>, in the same order.</summary>
     internal struct QuaternionLanes
     {
         public Lanes W;
