@@ -3,67 +3,43 @@ namespace RigidBodyDynamics.Lab;
 /// <summary>Reads an effect of a body. A new effect is one line in the table, which says its form, and the schema is made of it.</summary>
 internal static class EffectReader
 {
-    private const string PerStep = "perStep", Impulse = "impulse";
+    private const string PerStep = "perStep", Impulse = "impulse", Swing = "constant + sin * sin(rate t) + cos * cos(rate t)";
 
     private static readonly Dictionary<string, Func<Form, Func<Window, BodyDescription>>> Effects = new()
     {
         ["gravity"] = Coast(form => new Gravity(form.Vector("Acceleration, m/s^2"))),
-        ["force"] = Push(form => form.VectorOrObject(
-            "N: constant + sin * sin(rate t) + cos * cos(rate t), at a point of the body",
+        ["force"] = Push(form => form.VectorOrObject($"N: {Swing}, at a point of the body",
             shorthand => new Force(shorthand.Vector("N, world axes, at the centre of mass")),
-            of => new Force(
-                inBody: InBody(of),
-                constant: of.Or("constant", Vector3d.Zero, force => force.Vector("N")),
-                sine: of.Or("sin", Vector3d.Zero, force => force.Vector("N")),
-                cosine: of.Or("cos", Vector3d.Zero, force => force.Vector("N")),
-                rate: of.Or("rate", 1, rate => rate.Number("rad/s, 1 if absent")),
-                at: At(of)))),
-        ["torque"] = Push(form => form.Object("N m: constant + sin * sin(rate t) + cos * cos(rate t)", of => new Torque(
-            inBody: InBody(of),
-            constant: of.Or("constant", Vector3d.Zero, torque => torque.Vector("N m")),
-            sine: of.Or("sin", Vector3d.Zero, torque => torque.Vector("N m")),
-            cosine: of.Or("cos", Vector3d.Zero, torque => torque.Vector("N m")),
-            rate: of.Or("rate", 1, rate => rate.Number("rad/s, 1 if absent"))))),
-        [Impulse] = form => form.Object("N s and N m s, at once", of =>
-        {
-            double time = Guard.NotNegative(of["time"].Number("At the beginning of the first step that starts then or later, s", 0), "time");
-            Impulse impulse = new(
-                inBody: InBody(of),
-                linear: of.Or("linear", Vector3d.Zero, linear => linear.Vector("N s")),
-                angular: of.Or("angular", Vector3d.Zero, angular => angular.Vector("N m s, besides what the linear one gives")),
-                at: At(of));
-            return (Func<Window, BodyDescription>)(window => window.Body.With(impulse, time));
-        }),
-        ["massRate"] = form => form.Object("The mass grows or falls, and the moments in proportion", of =>
-        {
-            MassRate rate = new(
-                of["rate"].Number("kg/s, below zero where mass is lost"),
-                (Keeping)of.Or("keeps", 0, keeps => keeps.OneOf("What goes on as it is; velocity, as of fuel, if absent", "velocity", "momentum")));
-            return (Func<Window, BodyDescription>)(window => window.Body.With(rate, window.From, window.To));
-        }),
+            of => Swinging(of, "N", (inBody, constant, sine, cosine, rate) => new Force(constant, sine, cosine, rate, At(of), inBody)))),
+        ["torque"] = Push(form => form.Object($"N m: {Swing}",
+            of => Swinging(of, "N m", (inBody, constant, sine, cosine, rate) => new Torque(constant, sine, cosine, rate, inBody)))),
+        [Impulse] = Effect(form => form.Object("N s and N m s, at once", of => (
+            Time: Guard.NotNegative(of["time"].Number("At the beginning of the first step that starts then or later, s", 0), "time"),
+            What: new Impulse(inBody: InBody(of), linear: of.OptionalVector("linear", "N s"),
+                angular: of.OptionalVector("angular", "N m s, besides what the linear one gives"), at: At(of)))),
+            (window, impulse) => window.Body.With(impulse.What, impulse.Time)),
+        ["massRate"] = Effect(form => form.Object("The mass grows or falls, and the moments in proportion", of => new MassRate(
+            of["rate"].Number("kg/s, below zero where mass is lost"),
+            (Keeping)of.OptionalOneOf("keeps", "What goes on as it is; velocity, as of fuel, if absent", "velocity", "momentum"))),
+            (window, rate) => window.Body.With(rate, window.From, window.To)),
         ["key"] = Push(form => new KeyPush((LabKey)form.OneOf(
             "A key of the lab: 5 N along -x, +x, +y, -y; torque (sin t, sin t, sin t)", Enum.GetNames<LabKey>()))),
         ["linearDamping"] = Coast(form => new LinearDamping(form.Number("Rate, 1/s: the velocity falls by exp(-c dt)", 0))),
         ["angularDamping"] = Coast(form => new AngularDamping(form.Number("Rate, 1/s: the angular velocity falls by exp(-c dt)", 0))),
         ["quadraticDrag"] = Push(form => new QuadraticDrag(form.Number("k, kg/m: force -k |v| v", 0))),
-        ["decayPerStep"] = Coast(form => form.NumberOrObject(
-            "The lab's factor on the velocities, once a step",
+        ["decayPerStep"] = Coast(form => form.NumberOrObject("The lab's factor on the velocities, once a step",
             both => Same(both.Number(string.Empty, 0, 1)),
             of => new DecayPerStep(
                 of.Or("linear", 1, factor => factor.Number("On the velocity, 1 if absent", 0, 1)),
                 of.Or("angular", 1, factor => factor.Number("On the angular velocity, 1 if absent", 0, 1))))),
         ["spring"] = Push(form => form.Object("From a point of the body to a point of the world", of => new Spring(
-            of.Or("anchor", Vector3d.Zero, anchor => anchor.Vector("Body frame, m; the origin if absent")),
+            of.OptionalVector("anchor", "Body frame, m; the origin if absent"),
             of["at"].Vector("World, m"),
             of["stiffness"].Number("N/m", 0)))),
-        [Pivot.Effect] = Push(form => form.Object("Gravity's torque about a pivot: -moment (axis x up)", of =>
-        {
-            of.Or(Pivot.Point, 0, point => point.OneOf("The point that the body's inertia is about; the pivot is the origin of the body frame", Pivot.Points));
-            return new HeavyTop(
-                of["axis"].Vector("From the pivot to the centre of mass, body axes; its direction counts"),
-                of["moment"].Number("m g l, N m"),
-                of["up"].Vector("World axes; its direction counts"));
-        })),
+        [Pivot.Effect] = Push(form => form.Object("Gravity's torque about a pivot: -moment (axis x up)", of => new HeavyTop(
+            Pivot.Named(of)["axis"].Vector("From the pivot to the centre of mass, body axes; its direction counts"),
+            of["moment"].Number("m g l, N m"),
+            of["up"].Vector("World axes; its direction counts")))),
         [PerStep] = Push(form => form.Object("One value a step, world axes", of => new PerStep(
             of.Or("force", [], force => force.Vectors("N")),
             of.Or("torque", [], torque => torque.Vectors("N m"))))),
@@ -105,19 +81,26 @@ internal static class EffectReader
     }
 
     /// <summary>How the table reads an effect that pushes.</summary>
-    internal static Func<Form, Func<Window, BodyDescription>> Push<TPush>(Func<Form, TPush> read) where TPush : struct, IPush => form =>
+    internal static Func<Form, Func<Window, BodyDescription>> Push<TPush>(Func<Form, TPush> read) where TPush : struct, IPush =>
+        Effect(read, (window, push) => window.Body.With(push, window.From, window.To));
+
+    private static Func<Form, Func<Window, BodyDescription>> Coast(Func<Form, ICoast> read) =>
+        Effect(read, (window, coast) => window.Body.With(coast, window.From, window.To));
+
+    private static Func<Form, Func<Window, BodyDescription>> Effect<T>(Func<Form, T> read, Func<Window, T, BodyDescription> add) => form =>
     {
-        TPush push = read(form);
-        return window => window.Body.With(push, window.From, window.To);
+        T effect = read(form);
+        return window => add(window, effect);
     };
 
-    private static Func<Form, Func<Window, BodyDescription>> Coast(Func<Form, ICoast> read) => form =>
-    {
-        ICoast coast = read(form);
-        return window => window.Body.With(coast, window.From, window.To);
-    };
+    private static T Swinging<T>(Form of, string unit, Func<bool, Vector3d, Vector3d, Vector3d, double, T> make) => make(
+        InBody(of),
+        of.OptionalVector("constant", unit),
+        of.OptionalVector("sin", unit),
+        of.OptionalVector("cos", unit),
+        of.Or("rate", 1, rate => rate.Number("rad/s, 1 if absent")));
 
-    private static bool InBody(Form of) => of.Or("frame", 0, axes => axes.OneOf("Axes; world if absent", "world", "body")) == 1;
+    private static bool InBody(Form of) => of.OptionalOneOf("frame", "Axes; world if absent", "world", "body") == 1;
 
     private static Vector3d? At(Form of) =>
         of.Or("at", default(Vector3d?), at => at.Vector("The point of the body where it acts, body frame, m; the centre of mass if absent"));

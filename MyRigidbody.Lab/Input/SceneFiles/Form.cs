@@ -53,6 +53,12 @@ internal abstract class Form
     /// <summary>A field of this object that may be there.</summary>
     public abstract T Or<T>(string field, T otherwise, Func<Form, T> read);
 
+    /// <summary>[x, y, z] in a field that may be there; zero where it is not.</summary>
+    public Vector3d OptionalVector(string field, string about) => Or(field, Vector3d.Zero, vector => vector.Vector(about));
+
+    /// <summary>The number of one of some words in a field that may be there; 0 where it is not.</summary>
+    public int OptionalOneOf(string field, string about, params string[] words) => Or(field, 0, word => word.OneOf(about, words));
+
     /// <summary>Whether this object has a field that may be there.</summary>
     public abstract bool Has(string field);
 }

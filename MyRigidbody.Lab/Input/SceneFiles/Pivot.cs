@@ -6,14 +6,22 @@ namespace RigidBodyDynamics.Lab;
 /// </summary>
 internal static class Pivot
 {
-    /// <summary>The effect of a body with a pivot, and its field that names the point.</summary>
-    public const string Effect = "heavyTop", Point = "inertiaAbout";
+    /// <summary>The effect of a body with a pivot.</summary>
+    public const string Effect = "heavyTop";
 
-    /// <summary>The names of the points.</summary>
-    public static readonly string[] Points = ["pivot", "centerOfMass"];
+    private const string Point = "inertiaAbout";
+
+    private static readonly string[] Points = ["pivot", "centerOfMass"];
 
     // an axis typed in six digits points to the centre of mass
     private const double Aside = 1e-5;
+
+    /// <summary>The effect's form, after the field that names the point.</summary>
+    public static Form Named(Form of)
+    {
+        of.OptionalOneOf(Point, "The point that the body's inertia is about; the pivot is the origin of the body frame", Points);
+        return of;
+    }
 
     /// <summary>The body with its inertia about the pivot, if it has one; otherwise as it is.</summary>
     /// <param name="fields">The fields of the body, of which all effects have been read.</param>

@@ -17,7 +17,7 @@ public sealed class EffectsPageTests
         ["wind"] = Push(form => form.Object("Drag against air that blows in gusts", of => new Wind(
             of["k"].Number("kg/m", least: 0),
             of["mean"].Vector("Velocity of the air, m/s, world axes"),
-            of.Or("gust", Vector3d.Zero, gust => gust.Vector("What is added to it times sin t, m/s; none if absent"))))),
+            of.OptionalVector("gust", "What is added to it times sin t, m/s; none if absent")))),
         // end
     };
 

@@ -1,4 +1,3 @@
-using System.Text.Encodings.Web;
 using System.Text.Json;
 using System.Text.Json.Nodes;
 using RigidBodyDynamics.Lab;
@@ -9,16 +8,19 @@ namespace RigidBodyDynamics.Tests.SceneFiles;
 /// <summary>The JSON Schema of a scene with what the library and the reader's table know put in: effects, kinds of inertia and integrators.</summary>
 internal static class SceneSchema
 {
-    private static readonly JsonSerializerOptions Indented = new() { WriteIndented = true, NewLine = "\n", Encoder = JavaScriptEncoder.UnsafeRelaxedJsonEscaping };
-
     /// <summary>A schema once more, with today's effects, kinds of inertia and integrators.</summary>
     public static string Renewed(string schema)
     {
         JsonNode root = JsonNode.Parse(schema)!, definitions = root["definitions"]!;
-        definitions["effect"]!["oneOf"] = new JsonArray([.. EffectReader.Names.Select(Effect)]);
+        JsonObject effect = DescribedForm.ObjectOf("Exactly one effect, and when it acts", new JsonObject([
+            KeyValuePair.Create("from", About("Acts during the steps that start at from <= t, s; 0 if absent", "number")),
+            KeyValuePair.Create("to", About("and t < to, s; without end if absent", "number")),
+            .. EffectReader.Names.Select(name => KeyValuePair.Create(name, (JsonNode?)Effected(name).Schema))]));
+        effect["oneOf"] = new JsonArray([.. EffectReader.Names.Select(Alone)]);
+        definitions["effect"] = effect;
         definitions["inertia"]!["oneOf"] = new JsonArray([.. InertiaReader.Names.Select(kind => Described(form => InertiaReader.Fill(kind, form)).Schema)]);
         definitions["body"]!["properties"]!["integrator"]!["enum"] = new JsonArray([.. Rules.All.Select(row => (JsonNode)row.Name)]);
-        return root.ToJsonString(Indented) + "\n";
+        return JsonLines.Of(root);
     }
 
     /// <summary>An effect with a value for every field it has.</summary>
@@ -27,18 +29,13 @@ internal static class SceneSchema
     /// <summary>A kind of inertia with a value for every field it has.</summary>
     public static JsonNode SampleInertia(string kind) => Described(form => InertiaReader.Fill(kind, form)).Sample!.DeepClone();
 
-    private static JsonNode Effect(string name)
+    private static JsonNode Alone(string name)
     {
-        JsonObject properties = new() { [name] = Effected(name).Schema };
-        if (EffectReader.HasWindow(name))
-        {
-            properties["from"] = About("Acts during the steps that start at from <= t, s; 0 if absent", "number");
-            properties["to"] = About("and t < to, s; without end if absent", "number");
-        }
+        JsonObject alone = new() { ["required"] = new JsonArray(name) };
+        if (!EffectReader.HasWindow(name))
+            alone["not"] = new JsonObject { ["anyOf"] = new JsonArray(new JsonObject { ["required"] = new JsonArray("from") }, new JsonObject { ["required"] = new JsonArray("to") }) };
 
-        JsonObject schema = DescribedForm.ObjectOf("Effect " + name, properties);
-        schema["required"] = new JsonArray(name);
-        return schema;
+        return alone;
     }
 
     private static DescribedForm Effected(string effect) => Described(form => EffectReader.Fill(effect, form));
@@ -50,7 +47,7 @@ internal static class SceneSchema
         return form;
     }
 
-    private static JsonObject About(string about, string type) => new() { ["description"] = about, ["type"] = type };
+    private static JsonNode? About(string about, string type) => new JsonObject { ["description"] = about, ["type"] = type };
 }
 
 /// <summary>A form that keeps what it is asked for, and answers with numbers that every effect accepts.</summary>

@@ -68,6 +68,19 @@ public sealed class SchemaTests
         Assert.That(inSchema, Is.EquivalentTo(inScene));
     }
 
+    [TestCase("""{ "from": 1 }""")]
+    [TestCase("""{ "key": "R", "gravity": [0, 1, 0] }""")]
+    [TestCase("""{ "impulse": { "time": 1 }, "to": 2 }""")]
+    [TestCase("""{ "perStep": {}, "from": 2 }""")]
+    public void An_effect_is_alone_and_has_a_window_only_where_it_can_by_both(string effect)
+    {
+        JsonNode scene = SceneText.Tree();
+        scene["bodies"]![0]!["effects"]![0]!.ReplaceWith(JsonNode.Parse(effect));
+
+        Assert.That(SceneText.Error(scene.ToJsonString()), Is.Not.Empty);
+        Assert.That(Schema.Validate(scene.ToJsonString()), Is.Not.Empty);
+    }
+
     [Test]
     public void Any_name_added_anywhere_is_refused_by_both()
     {
