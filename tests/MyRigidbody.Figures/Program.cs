@@ -13,7 +13,7 @@ check.SetAction(parsed =>
     {
         string text = File.ReadAllText(page);
         tables += Page.Count(text);
-        foreach (string difference in Page.Differences(text, name => Tables.Of(name, measured)))
+        foreach (string difference in Page.Differences(text, name => Tables.Of(name, measured, IsChinese(page))))
         {
             Console.WriteLine($"{page}: {difference}");
             differences++;
@@ -27,6 +27,8 @@ write.SetAction(parsed =>
 {
     Measured measured = new(parsed.GetValue(folder)!);
     foreach (string page in parsed.GetValue(pages)!)
-        File.WriteAllText(page, Page.Written(File.ReadAllText(page), name => Tables.Of(name, measured)));
+        File.WriteAllText(page, Page.Written(File.ReadAllText(page), name => Tables.Of(name, measured, IsChinese(page))));
 });
 return new RootCommand("Tables of figures on pages, held to what cost and bench measure.") { check, write }.Parse(args).Invoke();
+
+static bool IsChinese(string page) => page.EndsWith(".zh.md", StringComparison.Ordinal);

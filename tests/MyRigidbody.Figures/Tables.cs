@@ -17,6 +17,16 @@ internal static class Tables
 
     private static readonly string[] OnBoth = ["free body by LabEuler", "free body by Exact", "lab's step, by the library"];
 
+    private static readonly (string English, string Chinese)[] Called =
+    [
+        ("MyRigidbody, ", "MyRigidbody，"), (", one by one", "，逐个计算"), (", together", "，合在一起计算"),
+        ("free body by ", "自由刚体，"), ("lab's step, by the library", "实验的一步，用程序库"),
+    ];
+
+    /// <summary>The rows of a table by its name, as a page of the language has them; null if there is none of it.</summary>
+    public static IReadOnlyList<string[]>? Of(string name, Measured measured, bool isChinese) =>
+        isChinese ? Of(name, measured)?.Select(row => (string[])[InChinese(row[0]), .. row[1..]]).ToList() : Of(name, measured);
+
     /// <summary>The rows of a table by its name; null if there is none of it.</summary>
     public static IReadOnlyList<string[]>? Of(string name, Measured measured) => name switch
     {
@@ -26,6 +36,9 @@ internal static class Tables
         "runtimes" => [.. OnBoth.Select(what => (string[])[what, OneBody(what, measured), OneBody(what + ", on Mono", measured)])],
         _ => null,
     };
+
+    /// <summary>What a row is called on a Chinese page.</summary>
+    public static string InChinese(string name) => Called.Aggregate(name, (text, pair) => text.Replace(pair.English, pair.Chinese, StringComparison.Ordinal));
 
     private static string[] Integrator(Rule rule, Measured measured)
     {
