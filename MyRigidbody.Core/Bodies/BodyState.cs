@@ -2,8 +2,8 @@ namespace RigidBodyDynamics
 {
     /// <summary>Where a body is and how it moves, at one instant. World axes, SI units.</summary>
     /// <remarks>
-    /// This is the language in which scenes, effects, integrators and readers speak to each other. What an
-    /// integrator keeps between steps is its own business: Unity's keeps float, the exact one principal axes.
+    /// Scenes, effects, integrators and programs exchange states in this form. What an integrator stores between steps is its own
+    /// choice: Unity's stores float, the exact one principal axes.
     /// </remarks>
     public struct BodyState
     {
@@ -28,25 +28,25 @@ namespace RigidBodyDynamics
             AngularVelocity = angularVelocity;
         }
 
-        /// <summary>At the origin, unturned, at rest.</summary>
+        /// <summary>At the origin, not rotated, at rest.</summary>
         public static BodyState AtRest => new BodyState(Vector3d.Zero, Quaterniond.Identity, Vector3d.Zero, Vector3d.Zero);
 
-        /// <summary>True if no number in it is infinite or NaN.</summary>
+        /// <summary>True if every number in it is finite.</summary>
         public bool IsFinite => Position.IsFinite && Orientation.IsFinite && Velocity.IsFinite && AngularVelocity.IsFinite;
 
         /// <summary>
-        /// False where a number is not finite or a velocity is so large that its square, which every energy has, is not: such a body
-        /// has run away.
+        /// False where a number is not finite, or a velocity is so large that its square, which every energy contains, is not: the
+        /// integration of such a body has diverged.
         /// </summary>
         public bool HasFiniteSquares =>
-            // zero times a number is zero, and NaN where the number is not finite: one comparison for all
+            // zero times a finite number is zero, else NaN: one comparison for all
             0 * Position.X + 0 * Position.Y + 0 * Position.Z + 0 * Orientation.W + 0 * Orientation.X + 0 * Orientation.Y + 0 * Orientation.Z
             + 0 * (Velocity.X * Velocity.X + Velocity.Y * Velocity.Y + Velocity.Z * Velocity.Z
             + (AngularVelocity.X * AngularVelocity.X + AngularVelocity.Y * AngularVelocity.Y + AngularVelocity.Z * AngularVelocity.Z)) == 0;
 
         /// <summary>
-        /// A state between two others: the centre of mass goes by Hermite's cubic through both velocities, the orientation the shorter
-        /// way at one rate, velocities change at one rate.
+        /// A state between two others: the centre of mass by Hermite's cubic through both velocities, the orientation along the shorter
+        /// arc at a constant rate, velocities by linear interpolation.
         /// </summary>
         /// <param name="from">The first.</param>
         /// <param name="to">The second.</param>
@@ -67,7 +67,7 @@ namespace RigidBodyDynamics
             return at;
         }
 
-        /// <summary>In words, to the last digit.</summary>
+        /// <summary>All numbers, with all digits.</summary>
         public override string ToString() =>
             "position " + Position + ", orientation " + Orientation + ", velocity " + Velocity + ", angular velocity " + AngularVelocity;
     }

@@ -6,18 +6,18 @@ namespace RigidBodyDynamics
 {
     public static partial class Solids
     {
-        /// <summary>The solid inside a closed surface of triangles, evenly filled, as heavy as is said; its centre of mass as it comes out.</summary>
+        /// <summary>The homogeneous solid inside a closed surface of triangles, with a given mass; the mesh gives its centre of mass.</summary>
         /// <param name="mass">kg, above zero.</param>
         /// <param name="vertices">In the body frame, m.</param>
         /// <param name="triangles">
-        /// Three numbers of vertices a triangle, counter-clockwise seen from outside. Every edge is in two triangles, which run along it in
-        /// opposite directions; anything else is refused with the edge.
+        /// Three vertex numbers a triangle, counter-clockwise seen from outside. Every edge belongs to two triangles, which run along it in
+        /// opposite directions; any other mesh is refused with the edge.
         /// </param>
         /// <remarks>
         /// Signed tetrahedra from a point to every triangle, as in B. Mirtich, "Fast and accurate computation of polyhedral mass properties",
-        /// Journal of Graphics Tools 1(2), 1996. The sums keep what they round away and go about the middle of the mesh, then about its centre
-        /// of mass, so that a million triangles and a place far from the origin cost no digits. Whether the surface passes through itself is
-        /// not looked at: what it encloses twice counts twice, what a surface turned inwards encloses is a hollow.
+        /// Journal of Graphics Tools 1(2), 1996. The sums are compensated and taken about the middle of the mesh, then about its centre of
+        /// mass, so that neither a million triangles nor a place far from the origin costs digits. Self-intersection is not tested: what
+        /// the surface encloses twice counts twice, and a surface turned inwards encloses a hollow.
         /// </remarks>
         public static MassProperties Mesh(double mass, IReadOnlyList<Vector3d> vertices, IReadOnlyList<int> triangles)
         {
@@ -25,7 +25,7 @@ namespace RigidBodyDynamics
             return new ClosedMesh(vertices, triangles).Weighing(mass);
         }
 
-        /// <summary>The solid inside a closed surface whose material weighs so much, kg/m³.</summary>
+        /// <summary>The homogeneous solid inside a closed surface, with a given density, kg/m³.</summary>
         /// <param name="density">kg/m³, above zero; with 1 the mass is the volume.</param>
         /// <param name="vertices">As for <see cref="Mesh"/>.</param>
         /// <param name="triangles">As for <see cref="Mesh"/>.</param>
@@ -37,10 +37,10 @@ namespace RigidBodyDynamics
         }
     }
 
-    /// <summary>Volume, centre and moments of what a closed surface encloses.</summary>
+    /// <summary>Volume, centre and moments of the solid inside a closed surface.</summary>
     internal sealed class ClosedMesh
     {
-        // a solid as thin as this, of its half extent, is not told from a sheet: its corners are rounded to 1e-16
+        // a solid thinner than this part of its half extent cannot be distinguished from a sheet: its corners are rounded to 1e-16
         private const double Thinnest = 1e-14;
 
         private readonly IReadOnlyList<Vector3d> _vertices;
@@ -92,10 +92,10 @@ namespace RigidBodyDynamics
         /// <summary>m³.</summary>
         public double Volume => _volume6 / 6 * _unit * _unit * _unit;
 
-        /// <summary>The mass properties of the solid with a mass.</summary>
+        /// <summary>The mass properties of the solid with a given mass.</summary>
         public MassProperties Weighing(double mass)
         {
-            // about the centre of mass: moved there afterwards, a body whose middle is not its centre would lose digits
+            // summed about the centre of mass: moments about another point, moved there afterwards, would lose digits
             Vector3d square = Vector3d.Zero, lostSquare = Vector3d.Zero, product = Vector3d.Zero, lostProduct = Vector3d.Zero;
             for (int i = 0; i < _triangles.Count; i += 3)
             {
@@ -112,7 +112,7 @@ namespace RigidBodyDynamics
                 _middle + _unit * _center);
         }
 
-        // six times the signed volume of the tetrahedron over a triangle, and its corners, from a point
+        // six times the signed volume of the tetrahedron from a point to a triangle, and its corners relative to the point
         private double Six(int first, Vector3d from, out Vector3d a, out Vector3d b, out Vector3d c)
         {
             a = (_vertices[_triangles[first]] - _middle) / _unit - from;
@@ -121,7 +121,7 @@ namespace RigidBodyDynamics
             return Vector3d.Dot(a, Vector3d.Cross(b, c));
         }
 
-        // dividing by it rounds nothing
+        // division by a power of two rounds nothing
         private static double PowerOfTwoFrom(double size)
         {
             double unit = 1;

@@ -2,12 +2,12 @@ using System.Collections.Generic;
 
 namespace RigidBodyDynamics
 {
-    /// <summary>A body put together from others: masses add, and moments add after Steiner's parallel-axis rule.</summary>
+    /// <summary>A body composed of others: masses add, and moments add by Steiner's parallel-axis rule.</summary>
     public sealed class Compound
     {
         private readonly List<Part> _parts = new List<Part>();
 
-        /// <summary>Adds a part; its origin stands at a place of the compound's frame, turned by an orientation.</summary>
+        /// <summary>Adds a part; its origin has a position and its axes an orientation in the compound's frame.</summary>
         /// <returns>This compound, so that parts can be listed.</returns>
         public Compound With(MassProperties part, Vector3d position, Quaterniond orientation)
         {
@@ -23,7 +23,7 @@ namespace RigidBodyDynamics
             return this;
         }
 
-        /// <summary>Adds a part that is not turned.</summary>
+        /// <summary>Adds a part whose axes are those of the compound.</summary>
         public Compound With(MassProperties part, Vector3d position) => With(part, position, Quaterniond.Identity);
 
         /// <summary>The whole, about its common centre of mass: I = Σ (I_part + m (d·d 1 − d dᵀ)).</summary>

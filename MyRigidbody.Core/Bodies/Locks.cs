@@ -4,14 +4,14 @@ namespace RigidBodyDynamics
 {
     /// <summary>
     /// Axes along which a body's centre of mass cannot move (of the world, as on rails), and principal axes about which the body
-    /// cannot turn (fixed in the body, in the order of <see cref="MassProperties.PrincipalMoments"/>, as in a hinge).
+    /// cannot rotate (fixed in the body, in the order of <see cref="MassProperties.PrincipalMoments"/>, as in a hinge).
     /// </summary>
     /// <remarks>
-    /// What holds the body gives a force along the locked axes of the world and a torque about the locked axes of the body, and no
+    /// The constraint acts with a force along the locked axes of the world and a torque about the locked axes of the body, and no
     /// other (d'Alembert's principle; about one locked axis this is G. K. Suslov's body, 1902). So v keeps its other components,
     /// mᵢ v̇ᵢ = Fᵢ, and the angular velocity in principal axes keeps its own, Iᵢ ω̇ᵢ = τᵢ: with an axis locked no gyroscopic term
-    /// is left, and without a torque ω stays, in the body and in the world, whatever the moments. It is what PhysX does with a
-    /// component of zero in its inverse moments, which is what Unity's Freeze Rotation makes of it; Freeze Position is that of the world.
+    /// is left, and without a torque ω is constant in the body and in the world, for any moments. PhysX does the same with a
+    /// component of zero in its inverse moments, which Unity's Freeze Rotation sets; Freeze Position locks axes of the world.
     /// </remarks>
     [Flags]
     public enum Locks
@@ -28,32 +28,32 @@ namespace RigidBodyDynamics
         /// <summary>No motion along the z axis of the world.</summary>
         MoveZ = 4,
 
-        /// <summary>No turn about the first principal axis.</summary>
+        /// <summary>No rotation about the first principal axis.</summary>
         TurnX = 8,
 
-        /// <summary>No turn about the second principal axis.</summary>
+        /// <summary>No rotation about the second principal axis.</summary>
         TurnY = 16,
 
-        /// <summary>No turn about the third principal axis.</summary>
+        /// <summary>No rotation about the third principal axis.</summary>
         TurnZ = 32,
 
-        /// <summary>The body does not translate, and is not charged for it.</summary>
+        /// <summary>The body does not translate, and translation is not computed.</summary>
         Move = MoveX | MoveY | MoveZ,
 
-        /// <summary>The body does not rotate, and is not charged for it.</summary>
+        /// <summary>The body does not rotate, and rotation is not computed.</summary>
         Turn = TurnX | TurnY | TurnZ,
     }
 
-    /// <summary>What locks leave.</summary>
+    /// <summary>The components that locks leave free.</summary>
     internal static class LockedAxes
     {
-        /// <summary>What is left of a velocity or force, world axes.</summary>
+        /// <summary>A velocity or force without its locked components, world axes.</summary>
         public static Vector3d Moving(this Locks locks, Vector3d v) => Left((int)(locks & Locks.Move), v);
 
-        /// <summary>What is left of an angular velocity or torque, principal axes.</summary>
+        /// <summary>An angular velocity or torque without its locked components, principal axes.</summary>
         public static Vector3d Turning(this Locks locks, Vector3d v) => Left((int)(locks & Locks.Turn) / (int)Locks.TurnX, v);
 
-        /// <summary>A body with no velocity that its locks forbid.</summary>
+        /// <summary>A state without the velocities that locks forbid.</summary>
         public static BodyState Applied(this Locks locks, BodyState body, MassProperties mass)
         {
             body.Velocity = locks.Moving(body.Velocity);
@@ -66,10 +66,10 @@ namespace RigidBodyDynamics
             return body;
         }
 
-        /// <summary>The axes along which the body moves or does not, for people: "x and z".</summary>
+        /// <summary>The axes of translation that are locked, or those that are free, in words: "x and z".</summary>
         public static string MoveNames(this Locks locks) => Names((int)(locks & Locks.Move));
 
-        /// <summary>The axes about which the body turns or does not.</summary>
+        /// <summary>The axes of rotation that are locked, or those that are free.</summary>
         public static string TurnNames(this Locks locks) => Names((int)(locks & Locks.Turn) / (int)Locks.TurnX);
 
         private static Vector3d Left(int locked, Vector3d v) =>

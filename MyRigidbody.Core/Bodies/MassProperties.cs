@@ -3,15 +3,15 @@ using System.Globalization;
 
 namespace RigidBodyDynamics
 {
-    /// <summary>How a body resists being pushed and turned. Immutable; bodies may share one.</summary>
+    /// <summary>Mass, inertia and centre of mass of a body. Immutable; bodies may share one.</summary>
     public sealed class MassProperties
     {
-        // three moments of any real body obey I1 + I2 >= I3; sums over points break it by roundings only
+        // the moments of a real body obey I1 + I2 >= I3; sums over points violate it only by rounding
         private const double TriangleTolerance = 1e-9;
 
         private TopShape _shape;
 
-        // of a tensor whose axes are not the body's: roundings of the largest moment are in all three
+        // least moment, as a part of the largest, of a tensor that is diagonalised: rounding errors of the largest moment are in all three
         private const double SmallestPart = 4e-15;
 
         private MassProperties(double mass, Vector3d moments, Quaterniond frame, SymmetricMatrix3 inertia, Vector3d center)
@@ -39,8 +39,8 @@ namespace RigidBodyDynamics
         public Vector3d InversePrincipalMoments { get; private set; }
 
         /// <summary>
-        /// Takes principal axes to body axes. Kept as it was given, so that an integrator in single precision can
-        /// scale it to length 1 in its own arithmetic; all others take <c>PrincipalFrame.Normalized</c>.
+        /// Takes principal axes to body axes. Stored as given, so that an integrator in single precision can scale it to length 1 in
+        /// its own arithmetic; all others use <c>PrincipalFrame.Normalized</c>.
         /// </summary>
         public Quaterniond PrincipalFrame { get; private set; }
 
@@ -50,16 +50,16 @@ namespace RigidBodyDynamics
         /// <summary>Centre of mass in the body frame, m.</summary>
         public Vector3d CenterOfMass { get; private set; }
 
-        /// <summary>All three moments equal: a turn about any axis goes on unchanged.</summary>
+        /// <summary>True if all three moments are equal: a rotation about any axis continues unchanged.</summary>
         public bool IsIsotropic => PrincipalMoments.X == PrincipalMoments.Y && PrincipalMoments.Y == PrincipalMoments.Z;
 
-        /// <summary>What the free rotation takes from the moments; all bodies that share these properties share it.</summary>
+        /// <summary>Constants of free rotation that depend on the moments alone; shared by all bodies with these properties.</summary>
         internal TopShape Shape => _shape ?? (_shape = new TopShape(PrincipalMoments, PrincipalFrame));
 
-        /// <summary>A body with known principal moments.</summary>
+        /// <summary>A body with given principal moments.</summary>
         /// <param name="mass">kg, above zero.</param>
         /// <param name="moments">kg m², each above zero and none larger than the sum of the others.</param>
-        /// <param name="frame">Takes principal axes to body axes; scaled to length 1 where it is used.</param>
+        /// <param name="frame">Takes principal axes to body axes; scaled to length 1 in use.</param>
         /// <param name="centerOfMass">In the body frame, m.</param>
         public static MassProperties FromPrincipal(double mass, Vector3d moments, Quaterniond frame, Vector3d centerOfMass)
         {
@@ -71,11 +71,11 @@ namespace RigidBodyDynamics
             return new MassProperties(mass, Possible(moments, frame, 0, moments), frame, inertia, centerOfMass);
         }
 
-        /// <summary>A body with known principal moments along its own axes, about its origin.</summary>
+        /// <summary>A body with given principal moments along its own axes, about its origin.</summary>
         public static MassProperties FromPrincipal(double mass, Vector3d moments) =>
             FromPrincipal(mass, moments, Quaterniond.Identity, Vector3d.Zero);
 
-        /// <summary>A body with a known tensor about its centre of mass, in body axes. Diagonalised here, once.</summary>
+        /// <summary>A body with a given tensor about its centre of mass, in body axes. Diagonalised here, once.</summary>
         public static MassProperties FromTensor(double mass, SymmetricMatrix3 inertia, Vector3d centerOfMass)
         {
             Guard.Finite(inertia.Diagonal, "inertia");
@@ -85,18 +85,18 @@ namespace RigidBodyDynamics
             return new MassProperties(mass, Possible(moments, frame, rounding, "principal moments " + moments), frame, inertia, centerOfMass);
         }
 
-        /// <summary>A body with a known tensor about the origin of its frame, in body axes: less by Steiner's m (d·d 1 − d dᵀ) about its centre of mass d.</summary>
+        /// <summary>A body with a given tensor about the origin of its frame, in body axes, from which Steiner's m (d·d 1 − d dᵀ) of the centre of mass d is subtracted.</summary>
         public static MassProperties FromTensorAboutOrigin(double mass, SymmetricMatrix3 inertia, Vector3d centerOfMass) =>
             FromTensor(mass, inertia - Guard.Positive(mass, nameof(mass)) * SymmetricMatrix3.OfPoint(Guard.Finite(centerOfMass, nameof(centerOfMass))), centerOfMass);
 
-        /// <summary>The same body with its centre of mass elsewhere in the body frame.</summary>
+        /// <summary>The same body with another centre of mass in the body frame.</summary>
         public MassProperties WithCenterOfMass(Vector3d centerOfMass) =>
             new MassProperties(Mass, PrincipalMoments, PrincipalFrame, Inertia, centerOfMass);
 
-        /// <summary>The same body with another part of its mass, and of its moments.</summary>
+        /// <summary>The same body with mass and moments multiplied by a ratio.</summary>
         internal MassProperties Times(double ratio) => ((MassProperties)MemberwiseClone()).Become(this, ratio);
 
-        /// <summary>Makes this, which nobody else may have, such a part of another.</summary>
+        /// <summary>Makes this, which must not be shared, another one multiplied by a ratio.</summary>
         internal MassProperties Become(MassProperties whole, double ratio)
         {
             Mass = ratio * whole.Mass;
@@ -111,8 +111,8 @@ namespace RigidBodyDynamics
         }
 
         /// <summary>
-        /// The same body held at the origin of its frame, as a <see cref="HeavyTop"/> is: what turns is its inertia about that point, by
-        /// Steiner's rule m (d·d 1 − d dᵀ) more than about the centre of mass d, and the origin stands in the place of the centre.
+        /// The same body held at the origin of its frame, as a <see cref="HeavyTop"/> is: its inertia is the one about that point, greater
+        /// by Steiner's term m (d·d 1 − d dᵀ) than about the centre of mass d, and the origin takes the place of the centre of mass.
         /// </summary>
         public MassProperties HeldAtOrigin()
         {
@@ -123,8 +123,8 @@ namespace RigidBodyDynamics
         }
 
         /// <summary>
-        /// The nearest moments that a body can have, where one exceeds the sum of the other two; the same moments where none does. Each is
-        /// moved in proportion to how uncertain it is.
+        /// The nearest moments that a body can have, where one exceeds the sum of the other two; else the same moments. Each changes
+        /// in proportion to its uncertainty.
         /// </summary>
         public static Vector3d NearestPossible(Vector3d moments, Vector3d uncertainty)
         {
@@ -153,7 +153,7 @@ namespace RigidBodyDynamics
 
         private static double Largest(Vector3d v) => Math.Max(v.X, Math.Max(v.Y, v.Z));
 
-        /// <summary>By how much the largest exceeds the sum of the others.</summary>
+        /// <summary>The largest moment minus the sum of the others.</summary>
         private static double Excess(Vector3d moments) => Largest(moments) - (moments.X + moments.Y + moments.Z - Largest(moments));
 
         private static string OnALine(Vector3d moments, double least, Quaterniond frame)

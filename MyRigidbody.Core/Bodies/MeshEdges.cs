@@ -5,18 +5,18 @@ using System.Globalization;
 
 namespace RigidBodyDynamics
 {
-    /// <summary>Whether triangles are a closed surface: every edge is in two of them, which run along it in opposite directions.</summary>
+    /// <summary>Tests whether triangles form a closed surface: every edge belongs to two of them, which run along it in opposite directions.</summary>
     internal static class MeshEdges
     {
         private const string Rule = "must be a closed surface, whose every edge is in two triangles, once in each direction, and ";
 
-        /// <summary>Refuses what is not, with the edge that says so: its two points, and its triangles, counted from 1.</summary>
+        /// <summary>Refuses an open surface with an edge that shows it: its two points, and its triangles, counted from 1.</summary>
         public static void MustBeClosed(IReadOnlyList<Vector3d> vertices, IReadOnlyList<int> triangles)
         {
             if (triangles.Count == 0 || triangles.Count % 3 != 0)
                 throw Refused("must have three corners each, found " + triangles.Count + " numbers of vertices");
 
-            // an edge by its lower and higher vertex, and the corner from which a triangle runs along it
+            // each edge: its lower vertex, its higher vertex, and the corner from which a triangle runs along it
             long[] edges = new long[triangles.Count];
             int[] corners = new int[triangles.Count];
             for (int i = 0; i < edges.Length; i++)
@@ -60,10 +60,9 @@ namespace RigidBodyDynamics
         public static string Triangle(IReadOnlyList<Vector3d> vertices, IReadOnlyList<int> triangles, int index) =>
             vertices[triangles[3 * index]] + " " + vertices[triangles[3 * index + 1]] + " " + vertices[triangles[3 * index + 2]];
 
-        /// <summary>A number with a few digits.</summary>
+        /// <summary>A number in four digits.</summary>
         public static string Text(double number) => number.ToString("G4", CultureInfo.InvariantCulture);
 
-        /// <summary>The exception.</summary>
         public static ArgumentException Refused(string rule) => new MeshException(rule);
 
         private static string Fault(IReadOnlyList<Vector3d> vertices, IReadOnlyList<int> triangles, int[] corners, int first, int end)
@@ -93,7 +92,7 @@ namespace RigidBodyDynamics
             return lowest;
         }
 
-        /// <summary>One line, whatever the runtime would add to it.</summary>
+        /// <summary>The message alone, without the lines that the runtime would add.</summary>
         private sealed class MeshException : ArgumentException
         {
             private readonly string _line;

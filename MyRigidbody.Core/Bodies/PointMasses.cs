@@ -5,9 +5,9 @@ namespace RigidBodyDynamics
     /// <summary>Bodies made of points: the lab's I_ref = Σ m (r·r 1 − r rᵀ), r from the centre of mass.</summary>
     public static class PointMasses
     {
-        /// <summary>Points of one mass each, which together weigh <paramref name="mass"/>: a mesh, as the lab sees it.</summary>
-        /// <param name="mass">Of all points together, kg.</param>
-        /// <param name="points">In the body frame, m. A point named three times weighs three times as much.</param>
+        /// <summary>Points of equal mass, <paramref name="mass"/> in all: the vertices of a mesh, as in the lab.</summary>
+        /// <param name="mass">The sum over all points, kg.</param>
+        /// <param name="points">In the body frame, m. A point listed three times has three times the mass.</param>
         public static MassProperties Equal(double mass, IReadOnlyList<Vector3d> points)
         {
             Guard.Positive(mass, nameof(mass));
@@ -18,7 +18,7 @@ namespace RigidBodyDynamics
             return Of(points, masses);
         }
 
-        /// <summary>Points with a mass each. They must not all lie on one line.</summary>
+        /// <summary>Points of individual masses. They must not all lie on one line.</summary>
         /// <param name="points">In the body frame, m.</param>
         /// <param name="masses">kg, each above zero.</param>
         public static MassProperties Of(IReadOnlyList<Vector3d> points, IReadOnlyList<double> masses)
@@ -46,7 +46,7 @@ namespace RigidBodyDynamics
             return MassProperties.FromTensor(mass, inertia, center);
         }
 
-        /// <summary>The lab's box: an eighth of the mass in each corner. Three times the moments of the solid box.</summary>
+        /// <summary>The lab's box: an eighth of the mass in each corner. Its moments are three times those of the solid box.</summary>
         public static MassProperties BoxVertices(double mass, Vector3d edges)
         {
             Guard.Positive(edges, nameof(edges));

@@ -4,7 +4,7 @@ namespace RigidBodyDynamics
     /// <remarks>Moments as in any table, for instance Goldstein, Classical Mechanics, chapter 5.</remarks>
     public static partial class Solids
     {
-        /// <summary>A box with the given full edges: I_x = m (b² + c²) / 12. What Unity gives a box collider.</summary>
+        /// <summary>A box with the given full edges: I_x = m (b² + c²) / 12, as for Unity's box collider.</summary>
         public static MassProperties Box(double mass, Vector3d edges)
         {
             Guard.Positive(edges, nameof(edges));
@@ -24,7 +24,7 @@ namespace RigidBodyDynamics
         /// <param name="mass">kg.</param>
         /// <param name="radius">m.</param>
         /// <param name="height">m.</param>
-        /// <param name="axis">The body axis along which it lies: 0 is x, 1 y, as Unity's, and 2 z.</param>
+        /// <param name="axis">The body axis of the cylinder: 0 is x, 1 y, as Unity's, and 2 z.</param>
         public static MassProperties Cylinder(double mass, double radius, double height, int axis = 1)
         {
             Guard.Positive(mass, nameof(mass));
@@ -37,10 +37,10 @@ namespace RigidBodyDynamics
         /// <param name="mass">kg.</param>
         /// <param name="radius">m.</param>
         /// <param name="height">Of the cylinder, m.</param>
-        /// <param name="axis">The body axis along which it lies: 0 is x, 1 y, as Unity's, and 2 z.</param>
+        /// <param name="axis">The body axis of the capsule: 0 is x, 1 y, as Unity's, and 2 z.</param>
         /// <remarks>
-        /// A half ball's centre is 3/8 r from its flat side; about that centre it has 2/5 m r² along and
-        /// (2/5 − 9/64) m r² across. The masses stand as the volumes do: r² h to 4/3 r³.
+        /// The centre of a half ball is 3/8 r from its flat side; about that centre its moments are 2/5 m r² along the axis and
+        /// (2/5 − 9/64) m r² across. Masses are in proportion to volumes: r² h to 4/3 r³.
         /// </remarks>
         public static MassProperties Capsule(double mass, double radius, double height, int axis = 1)
         {

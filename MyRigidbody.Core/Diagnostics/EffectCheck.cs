@@ -7,32 +7,31 @@ using System.Linq;
 namespace RigidBodyDynamics
 {
     /// <summary>
-    /// Tries whether an effect is what it declares: what it does and reads, that it adds, that its impulse is the integral
-    /// of its push and of which order, and its potential. For a test beside an effect of your own.
+    /// Tests whether an effect does what it declares: what it does and reads, that it adds to the wrench, that its impulse is the
+    /// integral of its force and torque and of which order, and its potential. For a test of an effect of your own.
     /// </summary>
     /// <remarks>
-    /// What it tries are 16 states and instants, the same on every runtime: it finds what is wrong and proves nothing right.
-    /// A sum of pushes one of which reads a velocity is an approximation by itself; its parts are what can be tried. When an
-    /// effect acts is the plan's to say and not the effect's. Whether it allocates is not looked at: .NET Standard 2.0
-    /// does not count that.
+    /// It tests 16 states and instants, the same on every runtime: it can find an error, and cannot prove that there is none.
+    /// A sum of pushes one of which reads a velocity is itself an approximation; test its parts. When an effect acts is decided by
+    /// the plan and not by the effect. Allocation is not measured, because .NET Standard 2.0 cannot.
     /// </remarks>
     public static class EffectCheck
     {
-        /// <summary>What a finding begins with that costs time or order, and makes no motion wrong.</summary>
+        /// <summary>The beginning of a finding that concerns time or order, while the motion is correct.</summary>
         public const string Hint = "Hint: ";
 
-        /// <summary>One sentence for each thing that is not as it should be, on a body of 2.5 kg within metres and ten seconds.</summary>
+        /// <summary>One sentence for each error, found on a body of 2.5 kg, in positions of some metres and during ten seconds.</summary>
         public static IReadOnlyList<string> Findings<TPush>(TPush push) where TPush : struct, IPush =>
-            // no symmetry, and the centre of mass off the origin, so that nothing vanishes by chance
+            // no symmetry, and the centre of mass away from the origin, so that no term vanishes by chance
             Findings(push, MassProperties.FromPrincipal(2.5, new Vector3d(1, 2, 2.5), new Quaterniond(0.9, 0.1, -0.3, 0.2), new Vector3d(0.1, -0.2, 0.3)), BodyState.AtRest, 0, 10);
 
-        /// <summary>One sentence for each thing that is not as it should be; none if the effect is consistent.</summary>
+        /// <summary>One sentence for each error; none if the effect is consistent.</summary>
         /// <param name="push">The effect.</param>
-        /// <param name="mass">The body that it is tried on.</param>
-        /// <param name="around">The first state that it is tried in (world axes, SI units); the others are some metres, m/s and
-        /// rad/s from it or a tenth of it, turned anyhow.</param>
-        /// <param name="from">The beginning of the time in which it is tried, s.</param>
-        /// <param name="to">The end of that time, s.</param>
+        /// <param name="mass">The body for the test.</param>
+        /// <param name="around">The first state (world axes, SI units); the others differ from it by some metres, m/s and rad/s or a
+        /// tenth of its own, in any orientation.</param>
+        /// <param name="from">The beginning of the tested time, s.</param>
+        /// <param name="to">The end of the tested time, s.</param>
         public static IReadOnlyList<string> Findings<TPush>(TPush push, MassProperties mass, BodyState around, double from, double to)
             where TPush : struct, IPush
         {
@@ -45,13 +44,13 @@ namespace RigidBodyDynamics
         private sealed class Trial<TPush> where TPush : struct, IPush
         {
             private const int Trials = 16;
-            // a time, s; and, as shares of the largest push, what counts as a rounding and what as an error
+            // a duration, s; and, as parts of the largest push, the limit of a rounding and of an error
             private const double Longest = 0.1, Rounding = 1e-12, Error = 1e-9;
             private readonly Instant[] _instants = new Instant[Trials];
             private readonly BodyState[] _states = new BodyState[Trials];
             private readonly List<string> _found = new List<string>();
             private readonly MassProperties _mass;
-            // not readonly, so that a call reaches the effect and not a copy
+            // not readonly, so that a call is made on the effect and not on a copy
             private TPush _push;
             private double _force, _torque;
             private ulong _seed = 1;
@@ -63,14 +62,14 @@ namespace RigidBodyDynamics
                 for (int i = 0; i < Trials; i++)
                 {
                     _instants[i] = new Instant(i, from + (i + Next()) / Trials * (to - from));
-                    // the first as it is: much that breaks does so where all is zero
+                    // the first state as given: many errors show where all numbers are zero
                     _states[i] = i == 0 ? around : new BodyState(Near(around.Position), NextTurn(), Near(around.Velocity), Near(around.AngularVelocity));
                 }
             }
 
             public IReadOnlyList<string> Findings()
             {
-                // what has no answer, or now this one and now that one, can be asked nothing more
+                // an effect without a repeatable finite answer cannot be tested further
                 if (!Answers())
                     return _found;
 
@@ -89,7 +88,7 @@ namespace RigidBodyDynamics
                 return _found;
             }
 
-            /// <summary>False if an answer is not finite, or another one when the same is asked again.</summary>
+            /// <summary>False if an answer is not finite, or differs when the same question is repeated.</summary>
             private bool Answers()
             {
                 Wrench[] answers = Enumerable.Range(0, 4 * Trials).Select(i => i % 2 == 0 ? At(i / 2 % Trials) : Over(i / 2 % Trials)).ToArray();
@@ -116,7 +115,7 @@ namespace RigidBodyDynamics
                     Found(Hint + "{0} is declared, and in {1} trials there was no {2}: take EffectTraits.{0} out of Traits, so that nobody computes it.", trait, Trials, what);
             }
 
-            /// <summary>Lets one thing alone be as in the next trial, and looks whether the push changes.</summary>
+            /// <summary>Changes one quantity alone to that of the next state, and tests whether the push changes.</summary>
             private void Reads(EffectTraits trait, string what, Func<BodyState, BodyState, BodyState> change)
             {
                 double most = Most(i =>
@@ -138,7 +137,7 @@ namespace RigidBodyDynamics
                 if (at > Rounding)
                     Found(Overwrites, "At", 100 * at);
 
-                // force and torque each for itself: one of them may be right
+                // force and torque separately: one of them may be correct
                 foreach (Func<Wrench, Wrench, double> part in new Func<Wrench, Wrench, double>[] { (a, b) => ForceApart(a, b), (a, b) => TorqueApart(a, b) })
                 {
                     double over = Most(i => part(Over(_instants[i], 1, _states[i], there), Plus(there, 1, Over(_instants[i], 1, there.AppliedTo(_states[i], _mass)))));
@@ -148,7 +147,7 @@ namespace RigidBodyDynamics
                 }
             }
 
-            /// <summary>Returns the order of the error in ever shorter times, the highest if there is none.</summary>
+            /// <summary>The order of the error over ever shorter times; the highest if there is no error.</summary>
             private int Integrates(int direction, bool isHeld, string when, string who, int isKnown)
             {
                 string[] advice = { "add what At gives in that time, the body held in its place", "take the push in the middle of the time for order 2, or its integral", "an exact flow would lift that" };
@@ -163,7 +162,7 @@ namespace RigidBodyDynamics
                 return order;
             }
 
-            /// <summary>What reads a velocity and has no exact flow must come back, or Exact4 and Exact6 lose their order.</summary>
+            /// <summary>A push that reads a velocity and has no exact flow must be reversible, or Exact4 and Exact6 lose their order.</summary>
             private void ComesBack(int order)
             {
                 double off = Most(i =>
@@ -177,8 +176,8 @@ namespace RigidBodyDynamics
             }
 
             /// <summary>
-            /// A flow is known by two things: it begins as At says, and many short times are one long time. Neither needs a
-            /// numerical integral, so that pushes which swing fast or jump are judged as sharply as others.
+            /// A flow has two properties: its slope at zero is At, and many short times make one long time. Neither test needs a numerical
+            /// integral, so pushes that swing fast or jump are tested as precisely as others.
             /// </summary>
             private double ErrorOver(int i, double duration, bool isHeld)
             {
@@ -187,7 +186,7 @@ namespace RigidBodyDynamics
                 for (int k = 0; k < 32; k++)
                     sum = Plus(sum, 1, Over(isHeld ? now : now.Later(k * duration / 32), duration / 32, sum.AppliedTo(_states[i], _mass)));
 
-                // the slope at zero by three short times, known to six digits: of third order, and too long to cancel
+                // the slope at zero from three short times, to six digits: of third order, and times long enough to avoid cancellation
                 double little = duration > 0 ? 1e-5 : -1e-5;
                 Wrench rise = Plus(Plus(default(Wrench), 32 / (3 * little), Over(now, little / 4, _states[i])), -4 / little, Over(now, little / 2, _states[i]));
                 double slope = Apart(Plus(rise, 1 / (3 * little), Over(now, little, _states[i])), At(i));
@@ -207,8 +206,8 @@ namespace RigidBodyDynamics
             }
 
             /// <summary>
-            /// The work around a closed way of place and turn, as a share of its amounts; zero if it is no more than half as many
-            /// points tell otherwise. The trapezoidal rule on what is periodic and smooth: every further point brings digits.
+            /// The work along a closed path of positions and orientations, as a part of its absolute amounts; zero if half as many points
+            /// give another value. The trapezoidal rule, whose error falls exponentially for a smooth periodic integrand.
             /// </summary>
             private double WorkAround(int way)
             {
@@ -251,7 +250,7 @@ namespace RigidBodyDynamics
                 return there;
             }
 
-            /// <summary>The largest difference, as a share of the largest force or torque.</summary>
+            /// <summary>The largest difference, as a part of the largest force or torque.</summary>
             private double Apart(in Wrench a, in Wrench b) => Math.Max(ForceApart(a, b), TorqueApart(a, b));
 
             private double ForceApart(in Wrench a, in Wrench b) => (a.Force - b.Force).Length / Scale(_force);
@@ -276,7 +275,7 @@ namespace RigidBodyDynamics
 
             private Quaterniond NextTurn() => new Quaterniond(1 + Next(), 2 * Next() - 1, 2 * Next() - 1, 2 * Next() - 1).Normalized;
 
-            // Knuth's linear congruence for MMIX: the same numbers from 0 to 1 on every runtime
+            // Knuth's linear congruential generator MMIX: the same numbers from 0 to 1 on every runtime
             private double Next() => ((_seed = unchecked(_seed * 6364136223846793005UL + 1442695040888963407UL)) >> 11) / 9007199254740992.0;
         }
     }

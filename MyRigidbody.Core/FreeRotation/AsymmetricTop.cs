@@ -3,42 +3,42 @@ using System;
 namespace RigidBodyDynamics
 {
     /// <summary>
-    /// Exact free rotation of a body with three different moments: one rational map per step, with
-    /// constants that hold as long as nothing turns the body. No trigonometry, no iteration.
+    /// Exact free rotation of a body with three different moments: one rational map per step, with constants that are valid until
+    /// a torque acts on the body. No trigonometry, no iteration.
     /// </summary>
     /// <remarks>
-    /// The body turns by the smallest rotation that takes M₊ = I w₊ to M, then about L by ψ (<see cref="OrbitStep"/>).
-    /// Constants fit one orbit only, and a rounding takes w off it; what the map then does grows exponentially. So
-    /// each step also sets w back to its energy and its Q, by amounts of the size of a rounding.
+    /// The body rotates by the smallest rotation that takes M₊ = I w₊ to M, then about L by ψ (<see cref="OrbitStep"/>).
+    /// The constants belong to one orbit, and a rounding moves w away from it; under the map that error grows exponentially. So
+    /// each step also returns w to its energy and its Q, by corrections of the size of a rounding.
     /// Rounding errors of q and w are carried along (Kahan), for slow bodies the larger part of the error.
     /// </remarks>
     internal partial struct AsymmetricTop : IFreeTop
     {
-        // carried invariants this far from those of w are the remains of a body brought to rest
+        // stored invariants within this part of those of w are the remains of a body brought to rest
         internal const double SameInvariant = 1e-12;
         // w and q must not underflow when squared twice
         internal const double Resting = 1e-150;
-        // the square of an angle so small that 1e18 of them are nothing
+        // the square of an angle so small that 1e18 of them are negligible
         internal const double NoTurn = 1e-72;
         // 1 − cos(ψ/2) of about a radian; by more, what is added to q would no longer bring |q| back to 1
         internal const double LargestVersine = 0.125;
         // near the unstable axis one step over many flips loses the small components
         internal const double LongestNearUnstable = 15;
-        // where so many parts are not enough no digit of the input is left to be saved
+        // where even this many parts do not suffice, no digit of the input is left to be saved
         private const long MostParts = 1000;
         // (sine of) the largest angle at which a correction may be made at the wrong end of a step
         internal const double ShortSquared = 0.25 * 0.25;
         internal const double Tiny = 1e-290;
-        // (rad of) the angles between which a step that is made once is prepared for with all digits: below, a double has enough; above, all are lost
+        // (rad of) the angles between which a step that occurs once is prepared in twice the digits: below, a double suffices; above, no digit is left
         internal const double OrdinarySquared = 4.0 * 4, LostSquared = 1e15 * 1e15;
-        // 1/√(1 − ε) − 1 = Σ Yₙ εⁿ; what is left out is below 1e-17 for a short turn
+        // 1/√(1 − ε) − 1 = Σ Yₙ εⁿ; the remainder is below 1e-17 for a short rotation
         internal const double Y1 = 1 / 2.0, Y2 = 3 / 8.0, Y3 = 5 / 16.0, Y4 = 35 / 128.0, Y5 = 63 / 256.0, Y6 = 231 / 1024.0;
         internal const double Y7 = 429 / 2048.0, Y8 = 6435 / 32768.0;
-        // damping is taken into w before pushes over it, raised to the sixth power, overflow
+        // damping is multiplied into w before pushes over it, raised to the sixth power, overflow
         internal const double LeastScale = 1e-20;
 
-        // what is prepared for after a push or a change of the step's length; a step that comes again is prepared for once more,
-        // with the digits that repeated steps would lose
+        // set after a push or a change of the step length; when the step repeats, it is prepared again, with the digits that repeated
+        // steps would lose
         internal const double ForOneStep = double.PositiveInfinity;
 
         private TopShape _shape;
@@ -49,7 +49,7 @@ namespace RigidBodyDynamics
         private double _preparedFor, _inverseEnergy;
         private long _count;
         private bool _isShort;
-        // for a short turn: k over w₂², what the products of w are multiplied by, 1 − c₁ c₃, cos(ψ/2)/L²
+        // for a short rotation: k over w₂², the factors of the products of w, 1 − c₁ c₃, cos(ψ/2)/L²
         private double _kOfSquare, _s1, _s2, _s3, _v13, _cosine;
 
         public Quaterniond Orientation => _shape.Axes.ToBody(_q);
@@ -58,7 +58,7 @@ namespace RigidBodyDynamics
 
         public bool IsFinite => Guard.IsFinite(_q.LengthSquared + _w.LengthSquared);
 
-        /// <summary>Near the unstable axis a long turn is many short ones.</summary>
+        /// <summary>False near the unstable axis, where a long step is many short rotations.</summary>
         public bool HasClosedForm => !IsNearUnstableAxis(Math.Max(_shape.AlphaOfA3 * A3, _shape.BetaOfA1 * A1));
 
         private double A1 => _shape.I1 * (_w.X * _w.X) + _shape.G1 * (_w.Y * _w.Y);
@@ -94,11 +94,11 @@ namespace RigidBodyDynamics
         {
             Vector3d j = world.IsZero ? Vector3d.Zero : _q.RotateInverse(_shape.Axes.FromWorld(world));
             j = body.IsZero ? j : j + _shape.Axes.FromBody(body);
-            // w is ω before damping took all but _scale of it; taken into w at every push, one rounded factor would add up
+            // w is ω without the damping, whose factor is _scale; multiplied into w at every push, a rounded factor would accumulate error
             j = _scale == 1 ? j : 1 / _scale * j;
             TopShape s = _shape;
             double d1 = s.InverseMoments.X * j.X, d2 = s.InverseMoments.Y * j.Y, d3 = s.InverseMoments.Z * j.Z;
-            // the exact change of w changes energy and Q; taken from the rounded w they would lose what they are held for
+            // computed from the exact change of w: from the rounded w, energy and Q would lose the digits they are stored for
             double e1 = (2 * _w.X + d1) * d1, e2 = (2 * _w.Y + d2) * d2, e3 = (2 * _w.Z + d3) * d3;
             _energy += s.I1 * e1 + e2 + s.I3 * e3;
             _separation += s.M1 * e1 - s.M3 * e3;
@@ -113,7 +113,7 @@ namespace RigidBodyDynamics
             if (decay.IsNone)
                 return;
 
-            // L' = L × ω − c L is free rotation of M = L e^(ct) in the time s, s' = e^(−ct): w itself is left alone
+            // L' = L × ω − c L is free rotation of M = L e^(ct) in the time s, s' = e^(−ct): w itself does not change
             _scale = decay.Of(_scale);
             _preparedFor = double.NaN;
             if (_scale < LeastScale)
@@ -150,7 +150,7 @@ namespace RigidBodyDynamics
             _wLost = w.Lost;
         }
 
-        /// <summary>Makes the numbers of the orbit, for a time of the undamped motion.</summary>
+        /// <summary>Computes the constants of the orbit, for a time of the undamped motion.</summary>
         internal void Prepare(double time)
         {
             TopShape s = _shape;
@@ -176,7 +176,7 @@ namespace RigidBodyDynamics
             while (_orbit.IsIllConditioned && _count < MostParts)
                 _orbit.Set(s, a1, a3, _separation, time / ++_count, _w, _wLost, isKept);
 
-            // M turns in the body by less than the square root of the first: its fastest, squared, is −(α − β)/Q A₁ A₃/L², which is less than α
+            // M rotates in the body by less than the square root of the first: its greatest rate, squared, is −(α − β)/Q A₁ A₃/L², which is less than α
             // where I₁ A₁ is less than its part of L², and less than β where I₃ A₃ is
             _isShort = _count == 1 && rate * _orbit.S * _orbit.S <= ShortSquared && _orbit.C1 > 0 && _orbit.C3 > 0 && _orbit.Versine <= LargestVersine;
             if (_isShort)

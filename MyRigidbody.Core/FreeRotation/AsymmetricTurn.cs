@@ -5,7 +5,7 @@ namespace RigidBodyDynamics
 {
     internal partial struct AsymmetricTop
     {
-        /// <summary>What a short turn makes of the numbers of the orbit, so that it need not do so again and again.</summary>
+        /// <summary>Computes once what every short rotation needs of the constants of the orbit.</summary>
         private void Derive()
         {
             TopShape s = _shape;
@@ -18,7 +18,7 @@ namespace RigidBodyDynamics
             _cosine = (1 - _orbit.Versine) * _orbit.InverseSquare;
         }
 
-        /// <summary>Turns as it is prepared.</summary>
+        /// <summary>Rotates by the prepared step.</summary>
         internal void Turn()
         {
             if (_isShort)
@@ -29,15 +29,15 @@ namespace RigidBodyDynamics
         }
 
         /// <summary>
-        /// A turn without a root, and with no division that another waits for. M + M₊ is as long as 2 |L| √(1 − ε), where 4 ε |L|²
-        /// is |M₊ − M|², so what makes a unit of r is a series in ε times what belongs to the orbit.
+        /// A short rotation without a square root, and without a division that another has to wait for. M + M₊ has the length
+        /// 2 |L| √(1 − ε), where 4 ε |L|² is |M₊ − M|², so r becomes a unit by a series in ε times a constant of the orbit.
         /// </summary>
         private void TurnShort()
         {
             TopShape s = _shape;
             double w1 = _w.X, w2 = _w.Y, w3 = _w.Z;
 
-            // what is set right is what is wrong at the start, so that one division need not wait for the other
+            // corrects the error at the start of the step, so that neither division waits for the other
             Wrong(w1, w2, w3, out double a, out double b, out double lambda);
 
             // the increment of w by Jacobi's addition theorem, so that small changes keep their digits
@@ -56,8 +56,8 @@ namespace RigidBodyDynamics
             double r2 = _cosine * (h3 * m1 - h1 * m3) + _orbit.Sine * m2;
             double r3 = _cosine * (h1 * m2 - h2 * m1) + _orbit.Sine * m3;
 
-            // y = 1/√(1 − ε) − 1 by its series, and 1 − less = c (1 − ε): the scalar part is (1 − less)(1 + y), and what it is off 1 is kept,
-            // with half of what |q|² lacks of 1. The vector part becomes (1 + y) r, with what Sine has lost
+            // y = 1/√(1 − ε) − 1 by its series, and 1 − less = c (1 − ε): the scalar part is (1 − less)(1 + y); its difference to 1 is kept,
+            // with half the error of |q|². The vector part becomes (1 + y) r, with the rounding error of Sine
             double e = (h1 * h1 + h2 * h2 + h3 * h3) * _orbit.InverseSquare, ee = e * e;
             double y = e * ((Y1 + e * Y2) + ee * (Y3 + e * Y4) + ee * ee * ((Y5 + e * Y6) + ee * (Y7 + e * Y8)));
             double more = y + _orbit.SineLost, v = _orbit.Versine, less = v + (e - v * e);
@@ -73,13 +73,13 @@ namespace RigidBodyDynamics
             RunningSum.Add(ref _q.Z, ref _qLost.Z, q3 * r0 + (t3 + more * t3));
         }
 
-        /// <summary>A turn by any angle.</summary>
+        /// <summary>A rotation by any angle.</summary>
         private void TurnLong()
         {
             TopShape s = _shape;
             double w1 = _w.X, w2 = _w.Y, w3 = _w.Z, o = _orbit.S, c1 = _orbit.C1, c3 = _orbit.C3;
 
-            // D as a sum of positive terms: 1 − k cancels near the unstable axis
+            // D as a sum of positive terms: 1 − k would cancel near the unstable axis
             double inverse = 1 / (c1 * c1 - s.K1 * s.K2 * (o * o) * (w3 * w3));
             double p1 = (w1 * c1 + s.K1 * (o * c3) * (w2 * w3)) * inverse;
             double p2 = (w2 * c1 * c3 + s.K2 * o * (w3 * w1)) * inverse;
@@ -93,22 +93,22 @@ namespace RigidBodyDynamics
             Vector3d h = new Vector3d(0.5 * s.I1 * d.X, 0.5 * d.Y, 0.5 * s.I3 * d.Z), before = new Vector3d(s.I1 * w1, w2, s.I3 * w3), m = before + h;
             double cosine = (1 - _orbit.Versine) * _orbit.InverseSquare, r0 = cosine * m.LengthSquared;
             Vector3d r = cosine * Vector3d.Cross(h, m) + _orbit.Sine * m;
-            // by more than half a turn −r is nearer to 1 than r: it is taken, and the sign made up for, so that q does not jump
+            // for a rotation by more than half a revolution −r is nearer to 1 than r: it is used, and the sign corrected, so that q does not jump
             double vv = r.LengthSquared, sign = r0 < 0 ? -1 : 1, n = sign * Math.Sqrt(r0 * r0 + vv), f = 1 / (n * (n + r0)), v = f * (n + r0);
             Vector3d momentum = _q.Rotate(before);
             SmallTurn.Add(ref _q, ref _qLost, _q * new Quaterniond(-vv * f, v * r));
             _q = sign * _q;
             _qLost = sign * _qLost;
 
-            // where M₊ points almost back along M, as after a flip, the smallest rotation between them is badly known, and L would
-            // turn by a rounding over |M + M₊|: it is turned back to where it was
+            // where M₊ is almost opposite to M, as after a flip, the smallest rotation between them is ill-conditioned, and L would
+            // rotate by a rounding over |M + M₊|: it is rotated back
             Vector3d now = _q.Rotate(new Vector3d(s.I1 * _w.X, _w.Y, s.I3 * _w.Z)), back = 0.5 / now.LengthSquared * Vector3d.Cross(now, momentum);
             SmallTurn.Add(ref _q, ref _qLost, new Quaterniond(0, back) * _q);
         }
 
         /// <summary>
-        /// What is wrong of w: a, by which a scaling takes it back to its energy, and b, by which the gradient of Q does to Q, where
-        /// lambda makes that gradient orthogonal to the scaling.
+        /// The error of w: a scales it back to its energy, and b moves it along the gradient of Q back to Q, where lambda makes that
+        /// gradient orthogonal to the scaling.
         /// </summary>
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
         private void Wrong(double w1, double w2, double w3, out double a, out double b, out double lambda)

@@ -1,8 +1,8 @@
 namespace RigidBodyDynamics
 {
     /// <summary>
-    /// The motion of a body that nothing pushes, at any time in closed form, without steps: forwards, backwards, after a
-    /// thousand seconds in one call. Gravity, constant forces and damping may act, as long as they act always.
+    /// The motion of a body without pushes, at any time in closed form, without steps: forwards, backwards, after a thousand
+    /// seconds in one call. Gravity, constant forces and damping may act, as long as they act at all times.
     /// </summary>
     public sealed class FreeMotion
     {
@@ -34,8 +34,8 @@ namespace RigidBodyDynamics
 
         /// <summary>
         /// The state at a time (s, of either sign). Costs some microseconds, near the unstable axis up to fifty. It is computed in
-        /// twice the digits, so an angle is off by what the last bits of the inputs do and a few roundings; near the unstable axis
-        /// by more.
+        /// twice the digits, so the error of an angle is that of the last bits of the inputs and a few roundings; near the unstable
+        /// axis it is larger.
         /// </summary>
         public BodyState At(double time) =>
             time >= -TimeSteps.Longest && time <= TimeSteps.Longest
@@ -68,7 +68,7 @@ namespace RigidBodyDynamics
 
             public override BodyState At(double time, in Coasting coasting)
             {
-                // one step of a copy: with nothing to push a step is exact for any length
+                // one step of a copy: without pushes a step is exact for any length
                 Composition<TTop, Order2> body = _start;
                 Leap leap = default(Leap);
                 body.Prepare(time, coasting);

@@ -1,9 +1,9 @@
 namespace RigidBodyDynamics
 {
-    /// <summary>Chooses a body's kind of top, once, from its moments: each body pays only for what it is.</summary>
+    /// <summary>Chooses a body's kind of top, once, from its moments: the cheapest that is exact.</summary>
     internal static class FreeTops
     {
-        /// <summary>Something to be done with the kind of top as a type.</summary>
+        /// <summary>An operation on the kind of top as a type.</summary>
         public interface IUse<TResult>
         {
             TResult With<TTop>() where TTop : struct, IFreeTop;

@@ -1,6 +1,6 @@
 namespace RigidBodyDynamics
 {
-    /// <summary>A body that does not turn: it has an orientation, and nothing is computed.</summary>
+    /// <summary>A body that does not rotate: it has an orientation, and nothing is computed.</summary>
     internal partial struct HeldTop : IFreeTop
     {
         public Quaterniond Orientation { get; private set; }

@@ -3,22 +3,22 @@ using System;
 namespace RigidBodyDynamics
 {
     /// <summary>
-    /// Free rotation of a body with three different moments over a time of any length, in twice the digits: so that a million
-    /// turns in one call are off by no more than the inputs are. The formulas are those of <see cref="OrbitStep"/> and
-    /// <see cref="AsymmetricTop"/>; with so many digits those hold that cancel near the unstable axis.
+    /// Free rotation of a body with three different moments over a time of any length, in twice the digits: the error of a million
+    /// revolutions in one call is that of the inputs. The formulas are those of <see cref="OrbitStep"/> and
+    /// <see cref="AsymmetricTop"/>, in the form that cancels near the unstable axis, which so many digits allow.
     /// </summary>
     internal sealed class LongTurn
     {
-        // what is left of the series beside its first term is below 1e-5 of that, so a double holds it to 1e-21
+        // the later terms of the series are below 1e-5 of the first, so a double holds them to 1e-21 of it
         private const double ShortSquared = 1.0 / (128 * 128);
-        // the smallest rotation between momenta this near to opposite (the square of their sum, of 4) is not taken
+        // below this square of their sum (of 4), two momenta are nearly opposite, and the smallest rotation between them is not used
         private const double Opposite = 1e-12;
         private const int MostDoublings = 200;
 
         private readonly Vector3dd _moments;
         private readonly DoubleDouble _k1, _k2, _k3, _g1, _g3, _alphaOfA3, _betaOfA1;
 
-        /// <summary>For moments of which the middle one is the second.</summary>
+        /// <summary>For moments the second of which is the middle one.</summary>
         public LongTurn(Vector3d moments)
         {
             DoubleDouble i1 = (DoubleDouble)moments.X / moments.Y, i3 = (DoubleDouble)moments.Z / moments.Y;
@@ -33,17 +33,17 @@ namespace RigidBodyDynamics
             _betaOfA1 = d31 * -d12 / (i1 * i3);
         }
 
-        /// <summary>Turns a body: its orientation and its angular velocity in body axes, rad per unit of time.</summary>
+        /// <summary>Rotates a body: its orientation, and its angular velocity in body axes, rad per unit of time.</summary>
         public void Advance(ref Quaterniondd q, ref Vector3dd w, DoubleDouble time)
         {
-            // in units in which the energy is about one, or squares of squares would underflow
+            // in units in which the energy is about one, so that squares of squares do not underflow
             DoubleDouble unit = Math.Sqrt(Vector3dd.Dot(w, Vector3dd.Scale(_moments, w)).High);
             Vector3dd inUnits = 1 / unit * w;
             Turn(ref q, ref inUnits, time * unit);
             w = unit * inUnits;
         }
 
-        /// <summary>2T and L², and returns Q.</summary>
+        /// <summary>2T, L² and, returned, Q.</summary>
         public DoubleDouble Invariants(in Vector3dd w, out DoubleDouble energy, out DoubleDouble square)
         {
             Vector3dd m = Vector3dd.Scale(_moments, w);

@@ -3,20 +3,20 @@ using System;
 namespace RigidBodyDynamics
 {
     /// <summary>
-    /// The numbers of a step of free rotation that are the same for every point of an orbit: S, c₁ = 1 − V1,
+    /// The constants of a step of free rotation that are equal for all points of an orbit: S, c₁ = 1 − V1,
     /// c₃ = 1 − V3 for the angular velocity, and 1/L², sin(ψ/2)/|L|, 1 − cos(ψ/2) for the orientation. By + − × ÷ √ alone.
     /// </summary>
     /// <remarks>
-    /// S' = c₁ c₃, c₁' = −α S c₃, c₃' = −β S c₁ (Jacobi's sn, cn, dn up to scale). ψ, the turn about L that is left
-    /// when the smallest rotation between the two momenta is taken off, obeys
-    /// ψ' = |L| (2T + A₁ c₁ + A₃ c₃) / (L² + I₁ A₁ c₁ + I₃ A₃ c₃). With m = (M + M₊)/2 and h = (M₊ − M)/2 the two turns
+    /// S' = c₁ c₃, c₁' = −α S c₃, c₃' = −β S c₁ (Jacobi's sn, cn, dn up to scale). ψ, the rotation about L that remains
+    /// after the smallest rotation between the two momenta, obeys
+    /// ψ' = |L| (2T + A₁ c₁ + A₃ c₃) / (L² + I₁ A₁ c₁ + I₃ A₃ c₃). With m = (M + M₊)/2 and h = (M₊ − M)/2 the two rotations
     /// together are r ~ (c |m|², c (h × m) + |L| sin(ψ/2) m), c = cos(ψ/2), because M₊ × M = 2 h × m. Its length is |L| |m|, and
-    /// |m|² = L² (1 − ε) with ε = |h|²/L², because M and M₊ are both as long as L. So |L| belongs to the orbit, and what is left
-    /// to be divided by, √(1 − ε), is a power series where the step is short.
-    /// Series up to h¹¹ for at most 0.06 rad; a longer step is a short one doubled again and again by the addition
+    /// |m|² = L² (1 − ε) with ε = |h|²/L², because M and M₊ both have the length of L. So |L| is a constant of the orbit, and the
+    /// other divisor, √(1 − ε), is a power series where the step is short.
+    /// Series up to h¹¹ for at most 0.06 rad; a longer step is a short one doubled repeatedly by the addition
     /// theorems (S, c₁, c₃) and by the spherical excess of three momenta (ψ).
-    /// A rounding of sin(ψ/2)/|L| would be made in the same way in every step, and grow with their number. A step that is kept
-    /// for more than once has it beside, from twice the digits.
+    /// A rounding error of sin(ψ/2)/|L| would be the same in every step, and grow with their number. A step that repeats stores that
+    /// error beside it, from twice the digits.
     /// </remarks>
     internal struct OrbitStep
     {
@@ -24,31 +24,31 @@ namespace RigidBodyDynamics
         internal const double ShortSquared = 0.06 * 0.06;
         internal const double IllConditioned = 0.02;
 
-        // more than any finite step asks for: an infinite spin ends as a state that is not finite, not as a loop
+        // more than any finite step needs: an infinite angular velocity ends as a state that is not finite, and not as a loop
         internal const int MostDoublings = 1100;
         internal const double F3 = 1 / 6.0, F4 = 1 / 24.0, F5 = 1 / 120.0, F6 = 1 / 720.0, F7 = 1 / 5040.0;
         internal const double F8 = 1 / 40320.0, F9 = 1 / 362880.0, F10 = 1 / 3628800.0, F11 = 1 / 39916800.0;
 
         public double S, C1, C3;
 
-        // 1 − c, which c near one has lost; for steps so short that they use it
+        // 1 − c, which c near one has lost; used by short steps
         public double V1, V3;
 
         /// <summary>1/L², sin(ψ/2)/|L| and 1 − cos(ψ/2).</summary>
         public double InverseSquare, Sine, Versine;
 
-        /// <summary>What <see cref="Sine"/> lacks by rounding, relative; it would be missing in every step.</summary>
+        /// <summary>The relative rounding error of <see cref="Sine"/>, which would be the same in every step.</summary>
         public double SineLost;
 
         /// <summary>
-        /// True where a part of the step ends near the opposite of where it began: the smallest rotation between the two is
-        /// then hardly determined, and ψ with it. Another number of parts avoids it.
+        /// True where a part of the step ends near the opposite of its beginning: the smallest rotation between the two is then
+        /// ill-conditioned, and ψ with it. Another number of parts avoids it.
         /// </summary>
         public bool IsIllConditioned;
 
         /// <summary>
-        /// The numbers for a step h of the orbit with these A₁, A₃ and Q (moments in units of I₂). Where the step is kept for more than
-        /// once, with what they lack; it goes by w.
+        /// The constants for a step h of the orbit with these A₁, A₃ and Q (moments in units of I₂). For a step that repeats, with their
+        /// rounding errors, computed from w.
         /// </summary>
         public void Set(TopShape shape, double a1, double a3, double q, double h, in Vector3d w = default(Vector3d), in Vector3d wLost = default(Vector3d), bool isKept = false)
         {
@@ -109,7 +109,7 @@ namespace RigidBodyDynamics
         {
             double alpha = shape.AlphaOfA3 * a3, beta = shape.BetaOfA1 * a1;
             double length = exactLength.High, v = Versine, sin = length * Sine;
-            // what the angle ψ/2 lacks by roundings, which count most as long as it is small
+            // the rounding error of the angle ψ/2, which matters most where the angle is small
             double lost = (exactLength * exactSine - sin).High;
             double i1A1 = shape.I1 * a1, i3A3 = shape.I3 * a3, turned = (shape.I3 - shape.I1) * a1 * a3;
             for (int i = 0; i < times; i++)
@@ -130,12 +130,12 @@ namespace RigidBodyDynamics
                 C3 = isNear ? 1 - V3 : (c11 * c33 + delta * ss) * d;
                 S = 2 * S * c1 * c3 * d;
 
-                // ψ is doubled and turned back by the excess: of 2 sin(ψ/2) only what it lacks is computed, so that it keeps its digits
+                // ψ is doubled and reduced by the excess: of 2 sin(ψ/2) only the reduction is computed, so that it keeps its digits
                 double w = x > 0 ? y * y / (1 + x) : 1 - x, twice = 2 * sin, square = twice * sin;
                 double lack = twice * (v + w - v * w) + (1 - square) * y;
                 sin = twice - lack;
                 v = square + (w - square * w) - twice * (1 - v) * y;
-                // each doubling squares what the length of the two is off 1
+                // each doubling squares the error of their length
                 double off = v - 0.5 * (v * v + sin * sin);
                 lost = 2 * lost + (1 - v) * ((twice - sin) - lack + sin * off);
                 v -= off - v * off;

@@ -1,8 +1,8 @@
 namespace RigidBodyDynamics
 {
     /// <summary>
-    /// Principal axes in the order a top wants them: cyclic, so that the handedness stays. The axes of the world are put in the
-    /// same order, so components are moved and not computed with, and a tiny one beside a large one keeps all its digits.
+    /// Principal axes in the order of a top: cyclic, so that the handedness stays. The axes of the world are in the same order, so
+    /// components are moved without arithmetic, and a tiny one beside a large one keeps all its digits.
     /// </summary>
     internal readonly partial struct PrincipalAxesOrder
     {
@@ -10,10 +10,10 @@ namespace RigidBodyDynamics
         private readonly int _first;
         private readonly bool _isTurned;
 
-        /// <summary>The order in which principal axis number first (0, 1, 2) comes first.</summary>
+        /// <summary>The order that begins with principal axis number first (0, 1, 2).</summary>
         public PrincipalAxesOrder(MassProperties mass, int first) : this(mass.PrincipalMoments, mass.PrincipalFrame, first) { }
 
-        /// <summary>The order in which principal axis number first (0, 1, 2) comes first.</summary>
+        /// <summary>The order that begins with principal axis number first (0, 1, 2).</summary>
         public PrincipalAxesOrder(Vector3d principalMoments, Quaterniond frame, int first)
         {
             Quaterniondd unit = Quaterniondd.Unit(frame);
@@ -31,44 +31,44 @@ namespace RigidBodyDynamics
 
         private Quaterniondd Frame => new Quaterniondd(_frame, _frameLost);
 
-        /// <summary>Takes principal axes to the world's, both in this order, from what takes body axes to world axes.</summary>
+        /// <summary>From a quaternion that takes body axes to world axes, the one that takes principal axes to world axes, both in this order.</summary>
         public Quaterniondd FromBody(Quaterniondd orientation)
         {
             Quaterniondd turned = _isTurned ? orientation * Frame : orientation;
             return new Quaterniondd(turned.W, Cycled(turned.Vector, _first));
         }
 
-        /// <summary>Takes body axes to world axes, from what takes principal axes to the world's, both in this order.</summary>
+        /// <summary>From a quaternion that takes principal axes to world axes, both in this order, the one that takes body axes to world axes.</summary>
         public Quaterniond ToBody(Quaterniond orientation)
         {
             Quaterniond back = new Quaterniond(orientation.W, Cycled(orientation.Vector, Last));
             return _isTurned ? back * _frame.Conjugate : back;
         }
 
-        /// <summary>The same to all digits.</summary>
+        /// <summary>The same in twice the digits.</summary>
         public Quaterniondd ToBody(Quaterniondd orientation)
         {
             Quaterniondd back = new Quaterniondd(orientation.W, Cycled(orientation.Vector, Last));
             return _isTurned ? back * Frame.Conjugate : back;
         }
 
-        /// <summary>A vector in body axes, in principal axes.</summary>
+        /// <summary>A vector given in body axes, in principal axes.</summary>
         public Vector3d FromBody(Vector3d v) => Cycled(_isTurned ? _frame.RotateInverse(v) : v, _first);
 
-        /// <summary>The same to all digits.</summary>
+        /// <summary>The same in twice the digits.</summary>
         public Vector3dd FromBody(Vector3dd v) => Cycled(_isTurned ? Frame.Conjugate.Rotate(v) : v, _first);
 
-        /// <summary>A vector in principal axes, in body axes.</summary>
+        /// <summary>A vector given in principal axes, in body axes.</summary>
         public Vector3d ToBody(Vector3d v)
         {
             Vector3d back = Cycled(v, Last);
             return _isTurned ? _frame.Rotate(back) : back;
         }
 
-        /// <summary>A vector in world axes, in the world's axes in this order.</summary>
+        /// <summary>A vector in world axes, put in this order.</summary>
         public Vector3d FromWorld(Vector3d v) => Cycled(v, _first);
 
-        /// <summary>A vector in the world's axes in this order, in world axes.</summary>
+        /// <summary>A vector of this order, in world axes.</summary>
         public Vector3d ToWorld(Vector3d v) => Cycled(v, Last);
 
         private static Vector3d Cycled(Vector3d v, int first) =>

@@ -3,12 +3,12 @@ using System.Runtime.CompilerServices;
 namespace RigidBodyDynamics
 {
     /// <summary>
-    /// Turns kept as r − 1 instead of r, and added to an orientation as an increment. A turn by a small angle φ then
-    /// keeps its digits: in r, cos(φ/2) rounds to 1 and every product rounds as much as a large turn's.
+    /// Rotations stored as r − 1 instead of r, and added to an orientation as an increment. A rotation by a small angle φ then
+    /// keeps its digits: in r, cos(φ/2) rounds to 1 and every product has the rounding error of a large rotation.
     /// </summary>
     internal static partial class SmallTurn
     {
-        /// <summary>r − 1 of the turn about an axis of the given length, at length rad/s for a time.</summary>
+        /// <summary>r − 1 of the rotation about an axis of the given length, at length rad/s for a time.</summary>
         public static Quaterniond Of(Vector3d axis, double length, double time)
         {
             if (length == 0)
@@ -19,8 +19,8 @@ namespace RigidBodyDynamics
         }
 
         /// <summary>
-        /// (q + d)(3 − |q|²)/2: the increment d of an orientation, and what keeps its length at 1. What the sum rounds
-        /// away is kept in lost and comes with the next (Kahan): for slow bodies that is most of the error.
+        /// (q + d)(3 − |q|²)/2: adds the increment d to an orientation and keeps its length at 1. The rounding error of the sum is
+        /// stored in lost and added with the next increment (Kahan): for slow bodies it is most of the error.
         /// </summary>
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
         public static void Add(ref Quaterniond q, ref Quaterniond lost, Quaterniond d)

@@ -1,6 +1,6 @@
 namespace RigidBodyDynamics
 {
-    /// <summary>Exact free rotation of a body with three equal moments, a cube or a ball: ω stays, q turns about it.</summary>
+    /// <summary>Exact free rotation of a body with three equal moments, a cube or a ball: ω is constant, q rotates about it.</summary>
     internal partial struct SphericalTop : IFreeTop
     {
         private double _inverseMoment;

@@ -2,8 +2,8 @@ namespace RigidBodyDynamics
 {
     /// <summary>
     /// Free rotation, not exact but by five rotations about the principal axes, 1-2-3-2-1, of order 2: the flow of the
-    /// energy M₁²/2I₁ alone turns M about axis 1, and so on. |L| and its direction are kept by construction, the energy
-    /// swings and does not drift. Angles enter by their tangent (Cayley), so there is no trigonometry.
+    /// energy M₁²/2I₁ alone rotates M about axis 1, and so on. |L| and its direction are conserved by construction, the energy
+    /// oscillates without drift. Angles enter by their tangent (Cayley), so there is no trigonometry.
     /// </summary>
     /// <remarks>McLachlan, "Explicit Lie–Poisson integration and the Euler equations", Phys. Rev. Lett. 71 (1993).</remarks>
     internal struct SplitTop : IFreeTop
@@ -61,8 +61,8 @@ namespace RigidBodyDynamics
         }
 
         /// <summary>
-        /// The body turns about one axis by the angle whose half has tangent t: q (1, t) up to its length, and M, still
-        /// in the world, turns the other way in the body.
+        /// Rotates the body about one axis by the angle whose half has tangent t: q (1, t) up to its length, and M, constant in the
+        /// world, rotates by the opposite angle in the body.
         /// </summary>
         private static void Turn(double t, ref double a, ref double b, ref double w, ref double x, ref double y, ref double z)
         {

@@ -1,9 +1,9 @@
 namespace RigidBodyDynamics
 {
     /// <summary>
-    /// Exact free rotation of a body with two equal moments, a wheel or a needle. In the world it turns about L at the
-    /// rate |L|/I₁, in the body about its own axis at (1 − I₃/I₁) w₃; both rates stay, so q₊ = (turn about L) q (turn
-    /// about axis 3).
+    /// Exact free rotation of a body with two equal moments, a wheel or a needle. In the world it rotates about L at the
+    /// rate |L|/I₁, in the body about its own axis at (1 − I₃/I₁) w₃; both rates are constant, so q₊ = (rotation about L) q
+    /// (rotation about axis 3).
     /// </summary>
     internal partial struct SymmetricTop : IFreeTop
     {
@@ -15,7 +15,7 @@ namespace RigidBodyDynamics
 
         public Quaterniond Orientation => _axes.ToBody(_q);
 
-        // L/I₁ and what is left along the axis: ω has no other part across it than L
+        // L/I₁ and the remainder along the axis: across the axis ω is L/I₁
         public Vector3d AngularVelocity => _axes.ToWorld(1 / _across * _momentum + _q.Rotate(new Vector3d(0, 0, _slip * _w3)));
 
         public bool IsFinite => _q.IsFinite && Guard.IsFinite((1 / _across * _momentum).LengthSquared + _w3 * _w3);
@@ -51,7 +51,7 @@ namespace RigidBodyDynamics
 
         public void Kick(in Vector3d world, in Vector3d body)
         {
-            // L and w₃ are held apart: each keeps digits that the other has not
+            // L and w₃ are stored separately: each keeps digits that the other has not
             Vector3d inBody = body.IsZero ? body : _axes.FromBody(body), outside = _axes.FromWorld(world);
             RunningSum.Add(ref _w3, ref _w3Lost, (inBody.Z + (world.IsZero ? 0 : _q.RotateInverse(outside).Z)) / _along);
             RunningSum.Add(ref _momentum, ref _momentumLost, body.IsZero ? outside : outside + _q.Rotate(inBody));

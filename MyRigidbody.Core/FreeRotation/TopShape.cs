@@ -1,19 +1,19 @@
 namespace RigidBodyDynamics
 {
     /// <summary>
-    /// What an asymmetric top's motion takes from its moments alone. Axis 2 is the middle one, the unstable one; the
-    /// moments are divided by I₂, since only their ratios count for the motion, and a body of 1e-18 kg m² is like any.
+    /// Constants of an asymmetric top that depend on its moments alone. Axis 2 has the middle moment and is unstable; the moments
+    /// are divided by I₂, since only their ratios determine the motion, and a body of 1e-18 kg m² is like any other.
     /// </summary>
     /// <remarks>
-    /// Euler's equations w₁' = k₁ w₂ w₃ (and cyclic) keep A₁ = I₁ w₁² + g₁ w₂² and A₃ = I₃ w₃² + g₃ w₂², each a sum of
-    /// positive terms: 2T = A₁ + A₃ and L² = I₁ A₁ + I₃ A₃. Q = g₃ A₁ − g₁ A₃ tells on which side of the separatrix
-    /// the orbit is; it is zero there, and near axis 2 it holds the digits that T and L² have lost.
+    /// Euler's equations w₁' = k₁ w₂ w₃ (and cyclic) conserve A₁ = I₁ w₁² + g₁ w₂² and A₃ = I₃ w₃² + g₃ w₂², each a sum of
+    /// positive terms: 2T = A₁ + A₃ and L² = I₁ A₁ + I₃ A₃. The sign of Q = g₃ A₁ − g₁ A₃ tells the side of the separatrix;
+    /// Q is zero on it, and near axis 2 it holds the digits that T and L² have lost.
     /// </remarks>
     internal sealed class TopShape
     {
         private LongTurn _long;
 
-        /// <summary>From principal moments, kg m², and what takes principal axes to body axes.</summary>
+        /// <summary>From principal moments, kg m², and the quaternion that takes principal axes to body axes.</summary>
         public TopShape(Vector3d principalMoments, Quaterniond frame)
         {
             Axes = new PrincipalAxesOrder(principalMoments, frame, FirstOf(principalMoments));
@@ -22,7 +22,7 @@ namespace RigidBodyDynamics
             I1 = moments.X / scale;
             I3 = moments.Z / scale;
             InverseMoments = new Vector3d(1 / moments.X, 1 / moments.Y, 1 / moments.Z);
-            // of the moments as given: a difference of two that are close is exact
+            // from the moments as given: the difference of two close numbers is exact
             double d12 = (moments.X - moments.Y) / scale, d23 = (moments.Y - moments.Z) / scale, d31 = (moments.Z - moments.X) / scale;
             K1 = d23 / I1;
             K2 = d31;
@@ -38,7 +38,7 @@ namespace RigidBodyDynamics
 
         public readonly PrincipalAxesOrder Axes;
 
-        /// <summary>The same in twice the digits; made when it is first asked for.</summary>
+        /// <summary>The same in twice the digits; created at the first use.</summary>
         public LongTurn Long => _long ?? (_long = new LongTurn(Axes.Moments));
 
         /// <summary>One over the moments as given, in the order of the axes.</summary>
@@ -47,16 +47,16 @@ namespace RigidBodyDynamics
         /// <summary>I₁/I₂ and I₃/I₂; all below in units of I₂.</summary>
         public readonly double I1, I3;
 
-        /// <summary>Of Euler's equations, and of A₁ and A₃.</summary>
+        /// <summary>Coefficients of Euler's equations, and of A₁ and A₃.</summary>
         public readonly double K1, K2, K3, G1, G3;
 
-        /// <summary>Q = M₁ w₁² − M₃ w₃².</summary>
+        /// <summary>Coefficients of Q = M₁ w₁² − M₃ w₃².</summary>
         public readonly double M1, M3;
 
         /// <summary>α over A₃, β over A₁, α − β over Q.</summary>
         public readonly double AlphaOfA3, BetaOfA1, DeltaOfQ;
 
-        /// <summary>The axis to put first so that the middle moment is second.</summary>
+        /// <summary>The axis that comes first so that the middle moment is second.</summary>
         private static int FirstOf(Vector3d i) => IsBetween(i.X, i.Y, i.Z) ? 0 : IsBetween(i.Y, i.Z, i.X) ? 1 : 2;
 
         private static bool IsBetween(double a, double b, double c) => (a <= b && b <= c) || (a >= b && b >= c);

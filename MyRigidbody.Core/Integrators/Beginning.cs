@@ -1,12 +1,12 @@
 namespace RigidBodyDynamics
 {
-    /// <summary>What a rule takes over: a body and the state it goes on from.</summary>
+    /// <summary>What an integrator starts from: a body and its state.</summary>
     public readonly struct Beginning
     {
         private readonly BodyDescription _body;
         private readonly Vector3d? _inBody;
 
-        /// <summary>A body at its start. A simulation makes this itself; whoever drives a rule by hand checks the body before.</summary>
+        /// <summary>A body at its start. A simulation creates this itself; a program that calls an integrator directly checks the body first.</summary>
         internal Beginning(BodyDescription body)
         {
             _body = Guard.NotNull(body, nameof(body));
@@ -14,7 +14,7 @@ namespace RigidBodyDynamics
             Raw = body.Start;
         }
 
-        /// <summary>A body that is put into a state while it runs.</summary>
+        /// <summary>A body whose state is set while it runs.</summary>
         internal Beginning(BodyDescription body, in BodyState state)
         {
             _body = body;
@@ -25,7 +25,7 @@ namespace RigidBodyDynamics
         /// <summary>The state, its orientation scaled to length 1.</summary>
         public BodyState State => new BodyState(Raw.Position, Raw.Orientation.Normalized, Raw.Velocity, Raw.AngularVelocity);
 
-        /// <summary>The state as it was given, for a rule that scales the orientation in its own arithmetic.</summary>
+        /// <summary>The state as given, for an integrator that scales the orientation in its own arithmetic.</summary>
         public BodyState Raw { get; }
 
         /// <summary>Mass and inertia.</summary>
@@ -37,19 +37,19 @@ namespace RigidBodyDynamics
         /// <summary>False for a body that does not rotate.</summary>
         public bool CanTurn => _body.CanTurn;
 
-        /// <summary>For the one rule that holds a body itself (<see cref="Rule.HoldsAxes"/>).</summary>
+        /// <summary>For the one integrator that implements locks itself (<see cref="Rule.HoldsAxes"/>).</summary>
         internal Locks Lock => _body.Lock;
 
-        /// <summary>For the lab's rules.</summary>
+        /// <summary>For the lab's integrators.</summary>
         public LabSettings Lab => _body.Lab;
 
         /// <summary>For <c>UnityRigidbody</c>.</summary>
         public UnitySettings Unity => _body.Unity;
 
-        /// <summary>The orientation with the digits that <see cref="State"/> has rounded away.</summary>
+        /// <summary>The orientation, scaled to length 1 in twice the digits.</summary>
         internal Quaterniondd Orientation => Quaterniondd.Unit(Raw.Orientation);
 
-        /// <summary>The angular velocity in body axes, rad/s; as it was given, where it was given there.</summary>
+        /// <summary>The angular velocity in body axes, rad/s; the numbers given in body axes, where they were.</summary>
         internal Vector3dd AngularVelocityInBody => _inBody ?? Orientation.Conjugate.Rotate(Raw.AngularVelocity);
     }
 }

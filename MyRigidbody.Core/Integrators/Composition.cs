@@ -1,8 +1,8 @@
 namespace RigidBodyDynamics
 {
     /// <summary>
-    /// What acts and free motion, one after another, each by its own exact flow. Between pushes the body drifts, falls,
-    /// is damped and turns exactly; a step composes pushes and such stretches symmetrically. With nothing to push the
+    /// Pushes and free motion, one after the other, each by its own exact flow. Between pushes the motion under gravity, constant
+    /// forces and damping, and the rotation, are exact; a step composes pushes and such intervals symmetrically. Without pushes the
     /// step is one free motion, exact for any length.
     /// </summary>
     internal partial struct Composition<TTop, TScheme> : IIntegrator
@@ -55,7 +55,7 @@ namespace RigidBodyDynamics
             if (_canMove)
                 RunningSum.Add(ref _v, ref _vLost, _mass.InverseMass * impulse.Force);
 
-            // a turn that goes on as it is keeps what is prepared for it
+            // without a torque, the prepared constants of the rotation stay valid
             if (!(impulse.Torque.IsZero && impulse.BodyTorque.IsZero))
                 _top.Kick(impulse.Torque, impulse.BodyTorque);
         }
@@ -170,7 +170,7 @@ namespace RigidBodyDynamics
                 return;
             }
 
-            // what reads a velocity feels the pushes before it and not those after: there and back, so that the order stays 2
+            // a push that reads a velocity depends on the pushes before it, not on those after: forwards and backwards, so that the order stays 2
             double half = 0.5 * duration;
             Give(now, half, ref push);
             Give((now.IsHeld ? now : now.Later(half)).Reversed, half, ref push);
@@ -178,7 +178,7 @@ namespace RigidBodyDynamics
 
         private void Give<TPush>(in Instant now, double duration, ref TPush push) where TPush : struct, IPush
         {
-            // what other pushes make of ω (Wrench.AppliedTo) depends on the orientation
+            // the change of ω by other pushes (Wrench.AppliedTo) depends on the orientation
             const EffectTraits ReadsPose = EffectTraits.ReadsPosition | EffectTraits.ReadsOrientation | EffectTraits.ReadsAngularVelocity;
             EffectTraits traits = push.Traits;
             BodyState body = default(BodyState);
@@ -196,7 +196,7 @@ namespace RigidBodyDynamics
 
             Wrench impulse = default(Wrench);
             push.Over(now, duration, body, _mass, ref impulse);
-            // an idle push leaves what is prepared for the way ahead as it is
+            // a push that gives zero leaves the prepared constants valid
             if (_canMove && (traits & EffectTraits.Moves) != 0 && !impulse.Force.IsZero)
                 RunningSum.Add(ref _v, ref _vLost, _mass.InverseMass * impulse.Force);
 

@@ -1,7 +1,7 @@
 namespace RigidBodyDynamics
 {
     /// <summary>
-    /// The lab's five steps with formula 3.3 as it is printed: x moves on with the velocity from before the step.
+    /// The lab's five steps with formula 3.3 as printed: x moves with the velocity before the step.
     /// Everything else is <see cref="LabEuler"/>.
     /// </summary>
     internal struct ExplicitEuler : IIntegrator

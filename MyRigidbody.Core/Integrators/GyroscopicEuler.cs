@@ -2,23 +2,23 @@ using System;
 
 namespace RigidBodyDynamics
 {
-    /// <summary>How a rule of order 1 takes the gyroscopic torque −ω × I ω into ω.</summary>
+    /// <summary>How an integrator of order 1 computes ω under the gyroscopic torque −ω × I ω.</summary>
     internal interface IGyroscopicRule
     {
-        /// <summary>ω after a step by that torque alone; principal axes, rad/s. Moments in any unit.</summary>
+        /// <summary>ω after a step under that torque alone; principal axes, rad/s. Moments in any unit.</summary>
         Vector3d After(Vector3d w, Vector3d moments, double dt);
     }
 
     /// <summary>
-    /// One Newton step for implicit Euler, I (ω₊ − ω) + Δt ω₊ × I ω₊ = 0. Stable at any step, because it takes energy
-    /// away. E. Catto, "Numerical Methods", GDC 2015.
+    /// One Newton step for implicit Euler, I (ω₊ − ω) + Δt ω₊ × I ω₊ = 0. Stable for any step length, because it dissipates energy.
+    /// E. Catto, "Numerical Methods", GDC 2015.
     /// </summary>
     internal struct ImplicitRule : IGyroscopicRule
     {
         public Vector3d After(Vector3d w, Vector3d i, double dt)
         {
             Vector3d m = Vector3d.Scale(i, w), f = dt * Vector3d.Cross(w, m);
-            // J = I + Δt ([ω]× I − [Iω]×), of which only differences of moments are left
+            // J = I + Δt ([ω]× I − [Iω]×), in which only differences of moments remain
             Vector3d r1 = new Vector3d(i.X, dt * w.Z * (i.Z - i.Y), dt * w.Y * (i.Z - i.Y));
             Vector3d r2 = new Vector3d(dt * w.Z * (i.X - i.Z), i.Y, dt * w.X * (i.X - i.Z));
             Vector3d r3 = new Vector3d(dt * w.Y * (i.Y - i.X), dt * w.X * (i.Y - i.X), i.Z);
@@ -29,8 +29,8 @@ namespace RigidBodyDynamics
     }
 
     /// <summary>
-    /// Explicit Euler for M = I ω, then M back to its old length, as PhysX's switch does. |L| stays, its direction and
-    /// the energy do not.
+    /// Explicit Euler for M = I ω, then M scaled back to its length, as PhysX's gyroscopic option does. |L| is conserved, its
+    /// direction and the energy are not.
     /// </summary>
     internal struct ExplicitRule : IGyroscopicRule
     {
@@ -44,7 +44,7 @@ namespace RigidBodyDynamics
     }
 
     /// <summary>
-    /// What game engines do, as a yardstick: ω by the torque, then by a gyroscopic rule; the body turns about the new
+    /// A reference: the method of game engines. ω under the torque, then under the gyroscopic torque; the body rotates about the new
     /// ω by exactly |ω| Δt; x with the new velocity; damping. Order 1.
     /// </summary>
     internal struct GyroscopicEuler<TRule> : IIntegrator where TRule : struct, IGyroscopicRule
@@ -71,7 +71,7 @@ namespace RigidBodyDynamics
             _body = body.State;
             _mass = body.Mass;
             _axes = new PrincipalAxesOrder(_mass, 0);
-            // only ratios count, and a product of three moments of 1e-120 would be zero
+            // only ratios matter, and a product of three moments of 1e-120 would underflow to zero
             _ratios = (1 / Math.Max(_mass.PrincipalMoments.X, Math.Max(_mass.PrincipalMoments.Y, _mass.PrincipalMoments.Z))) * _mass.PrincipalMoments;
             _canMove = body.CanMove;
             _canTurn = body.CanTurn;

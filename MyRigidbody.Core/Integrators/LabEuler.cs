@@ -5,7 +5,7 @@ namespace RigidBodyDynamics
 {
     /// <summary>
     /// The lab's script: five steps, in its order. It has no gyroscopic term, so with three different moments it
-    /// keeps ω, not L, and converges to the motion of a real body only where the moments are equal.
+    /// conserves ω, not L, and converges to the motion of a real body only where the moments are equal.
     /// </summary>
     internal partial struct LabEuler : IIntegrator
     {
@@ -36,7 +36,7 @@ namespace RigidBodyDynamics
 
         public void Push(in Wrench impulse)
         {
-            // without LabSettings.Normalise q is longer than the turn it stands for
+            // without LabSettings.Normalise the length of q is not 1
             BodyState pushed = _body;
             pushed.Orientation = pushed.Orientation.Normalized;
             pushed = impulse.AppliedTo(pushed, _mass);
@@ -58,14 +58,14 @@ namespace RigidBodyDynamics
         public void Step<TPush>(in Instant now, ref TPush push) where TPush : struct, IPush =>
             Step(now, ref push, xFromOldVelocity: false);
 
-        // the five formulas are below, in the sheet's order, number by number: with operators on vectors they take more than twice as
-        // long on Mono, which runs Unity's editor
+        // the five formulas are below, in the sheet's order, component by component: with operators on vectors they take more than
+        // twice as long on Mono, which runs Unity's editor
         internal void Step<TPush>(in Instant now, ref TPush push, bool xFromOldVelocity) where TPush : struct, IPush
         {
             Wrench load;
             load.Force = load.Torque = load.BodyTorque = new Vector3d(0, 0, 0);
             push.At(now, _body, _mass, ref load);
-            // formula 3 as it is printed in the handout
+            // formula 3 as printed in the handout
             if (xFromOldVelocity && _canMove)
                 UpdatePosition();
 
@@ -78,7 +78,7 @@ namespace RigidBodyDynamics
             if (!xFromOldVelocity && _canMove)
                 UpdatePosition();
 
-            // x is the centre of mass; the body's origin turns about it
+            // x is the centre of mass; the origin of the body frame rotates about it
             if (_isOffCenter)
                 _body.Position += _body.Orientation.Rotate(_mass.CenterOfMass);
 
@@ -162,7 +162,7 @@ namespace RigidBodyDynamics
             _body.Orientation.Z = s * z;
         }
 
-        // 5. v = 0.98 v and ω = 0.98 ω, or what else the scene asks for
+        // 5. v = 0.98 v and ω = 0.98 ω, or the damping of the scene
         private void Damp()
         {
             if (_linearDecay != 1)

@@ -3,33 +3,33 @@ using System.Globalization;
 
 namespace RigidBodyDynamics
 {
-    /// <summary>What a rule keeps of a body that turns freely.</summary>
+    /// <summary>What an integrator conserves of a body that rotates freely.</summary>
     [Flags]
     public enum Keeps
     {
-        /// <summary>It has no gyroscopic term: ω stays as it is, and with three different moments that is another motion.</summary>
+        /// <summary>No gyroscopic term: ω is constant, which is another motion where the three moments differ.</summary>
         AngularVelocity = 0,
 
-        /// <summary>It converges to the free motion as the step shrinks. It need not keep anything at a given step.</summary>
+        /// <summary>It converges to the free motion as the step length falls. For a given step length it need not conserve anything.</summary>
         Motion = 1,
 
-        /// <summary>|L| to rounding.</summary>
+        /// <summary>|L| within rounding.</summary>
         MomentumLength = 2,
 
-        /// <summary>The vector L to rounding.</summary>
+        /// <summary>The vector L within rounding.</summary>
         Momentum = 4,
 
-        /// <summary>The energy swings within bounds, however long the run.</summary>
+        /// <summary>The energy oscillates within bounds, however long the run.</summary>
         EnergyBounded = 8,
 
-        /// <summary>The energy to rounding, however long the run and the step.</summary>
+        /// <summary>The energy within rounding, however long the run and the step.</summary>
         Energy = 16,
 
-        /// <summary>The way back: as many steps with all velocities reversed end at the start, under pushes that read the pose alone.</summary>
+        /// <summary>Reversible: as many steps with all velocities reversed end at the start, under pushes that read only the pose.</summary>
         WayBack = 32,
     }
 
-    /// <summary>What a step costs, in steps of the lab.</summary>
+    /// <summary>The cost of a step, in steps of the lab.</summary>
     internal enum Cost
     {
         /// <summary>Up to one and a half times the lab's step.</summary>
@@ -39,7 +39,7 @@ namespace RigidBodyDynamics
         SeveralTimesTheLab,
     }
 
-    /// <summary>A rule by which a body moves, and what it promises. <see cref="Rules"/> has them.</summary>
+    /// <summary>An integrator in the catalogue, with its properties. <see cref="Rules"/> has all of them.</summary>
     public abstract class Rule
     {
         internal Rule(string name, int order, Keeps keeps, Cost cost, string about)
@@ -51,27 +51,27 @@ namespace RigidBodyDynamics
             About = Guard.NotNull(about, nameof(about));
         }
 
-        /// <summary>The name by which scenes and commands call it.</summary>
+        /// <summary>The name in scenes and commands.</summary>
         public string Name { get; }
 
         /// <summary>
-        /// The error after a given time falls with this power of the step, where the rule converges at all: for every effect and
-        /// all of them together, but for those that <see cref="OrderFor"/> knows.
+        /// The error after a given time falls with this power of the step length, where the integrator converges: for every effect
+        /// and all of them together, except those that <see cref="OrderFor"/> treats.
         /// </summary>
         public int Order { get; }
 
-        /// <summary>What it keeps of a body that turns freely.</summary>
+        /// <summary>What it conserves of a body that rotates freely.</summary>
         public Keeps Keeps { get; }
 
-        /// <summary>What a step costs.</summary>
+        /// <summary>The cost of a step.</summary>
         internal Cost Cost { get; }
 
         /// <summary>One line about it.</summary>
         public string About { get; }
 
         /// <summary>
-        /// The order for a body. It is <see cref="Order"/>, and 1 by every rule where velocities are multiplied once a step
-        /// (<see cref="DecayPerStep"/>): that comes after all else that acts, held against the rate that it stands for.
+        /// The order for a body. It is <see cref="Order"/>, or 1 for every integrator where velocities are multiplied once a step
+        /// (<see cref="DecayPerStep"/>): the factor acts after all other effects, and is compared with the rate that it stands for.
         /// </summary>
         public int OrderFor(BodyDescription body)
         {
@@ -87,26 +87,26 @@ namespace RigidBodyDynamics
 
         internal LoneMover Build(BodyPlan plan, Clock clock) => Use(plan.Body, new MoverMaker(plan, clock));
 
-        /// <summary>Does something with the rule as a type, the one that suits a body.</summary>
+        /// <summary>An operation on the integrator's type, the one that suits a body.</summary>
         internal abstract TResult Use<TResult>(BodyDescription body, IRuleUse<TResult> use);
 
-        /// <summary>The rotation of a body by this rule, in words.</summary>
+        /// <summary>How this integrator computes the rotation of a body, in words.</summary>
         internal virtual string Rotation(BodyDescription body) =>
             "rotation by " + Name + ((Keeps & Keeps.Motion) != 0 ? string.Empty : " (no gyroscopic term)");
 
-        /// <summary>What the rule does of itself, whatever the scene's effects, in words; null if nothing.</summary>
+        /// <summary>What the integrator does by itself, whatever the scene's effects, in words; null if nothing.</summary>
         internal virtual string Settings(BodyDescription body) => null;
 
-        /// <summary>Why a body's rotation is simpler by this rule than that of any body; null if it is not.</summary>
+        /// <summary>Why this integrator can compute the rotation of a body more simply than that of any body; null if it cannot.</summary>
         internal virtual string Simpler(BodyDescription body) => null;
 
-        /// <summary>True if the rule itself holds a body at its locked axes; for all others a <see cref="Bearing"/> does.</summary>
+        /// <summary>True if the integrator itself implements locked axes; for all others a <see cref="Bearing"/> does.</summary>
         internal virtual bool HoldsAxes => false;
 
-        /// <summary>True if a constant force is part of what a body coasts with by this rule, and no push.</summary>
+        /// <summary>True if a constant force is a part of coasting for this integrator, and no push.</summary>
         internal virtual bool CoastsUnderForces => true;
 
-        /// <summary>True if a body has a closed form by this rule while a stretch lasts: the rule itself is asked.</summary>
+        /// <summary>True if this integrator has a closed form for a body during a stretch: the integrator itself says so.</summary>
         internal virtual bool Coasts(BodyDescription body, StretchPlan stretch) =>
             stretch.Pushes.Count == 0 && stretch.MassCourse?.Shedding == null && Use(body, new ClosedForm(body, stretch));
 
@@ -145,13 +145,13 @@ namespace RigidBodyDynamics
         }
     }
 
-    /// <summary>Something to be done with a rule as a type.</summary>
+    /// <summary>An operation on an integrator as a type.</summary>
     internal interface IRuleUse<TResult>
     {
         TResult With<TIntegrator>() where TIntegrator : struct, IIntegrator;
     }
 
-    /// <summary>A rule that is the struct <typeparamref name="TIntegrator"/>.</summary>
+    /// <summary>An integrator that is the struct <typeparamref name="TIntegrator"/>.</summary>
     internal sealed class RuleOf<TIntegrator> : Rule where TIntegrator : struct, IIntegrator
     {
         public RuleOf(string name, int order, Keeps keeps, Cost cost, string about) : base(name, order, keeps, cost, about) { }
@@ -159,7 +159,7 @@ namespace RigidBodyDynamics
         internal override TResult Use<TResult>(BodyDescription body, IRuleUse<TResult> use) => use.With<TIntegrator>();
     }
 
-    /// <summary>A rule that follows the lab's sheet, but for what a body asks to be otherwise.</summary>
+    /// <summary>An integrator that follows the lab's sheet, except for the settings of a body.</summary>
     internal sealed class LabRule<TIntegrator> : Rule where TIntegrator : struct, IIntegrator
     {
         public LabRule(string name, string about) : base(name, 1, Keeps.AngularVelocity, Cost.LikeTheLab, about) { }
@@ -169,7 +169,7 @@ namespace RigidBodyDynamics
         internal override TResult Use<TResult>(BodyDescription body, IRuleUse<TResult> use) => use.With<TIntegrator>();
     }
 
-    /// <summary>The rule that is chosen by the body's own precision.</summary>
+    /// <summary>The integrator in the precision that the body's settings choose.</summary>
     internal sealed class UnityRule : Rule
     {
         public UnityRule(string name, int order, Keeps keeps, Cost cost, string about) : base(name, order, keeps, cost, about) { }
@@ -183,19 +183,19 @@ namespace RigidBodyDynamics
             Guard.AsGiven(body.Unity.Drag), Guard.AsGiven(body.Unity.AngularDrag), Guard.AsGiven(body.Unity.MaxAngularVelocity), Guard.AsGiven(body.Unity.SleepThreshold),
             body.Unity.FirstOrderOrientation ? ", turned by q + [0, ½Δt ω] q" : string.Empty);
 
-        // a force wakes it
+        // a force wakes the body
         internal override bool CoastsUnderForces => false;
 
         internal override bool HoldsAxes => true;
 
-        // it sleeps after a while, and that is not known before
+        // the body falls asleep at a time that is not known in advance
         internal override bool Coasts(BodyDescription body, StretchPlan stretch) => false;
 
         internal override TResult Use<TResult>(BodyDescription body, IRuleUse<TResult> use) =>
             body.Unity.InDouble ? use.With<UnityRigidbody<ToDouble>>() : use.With<UnityRigidbody<ToSingle>>();
     }
 
-    /// <summary>The rule whose free rotation is split.</summary>
+    /// <summary>The integrator whose free rotation is split.</summary>
     internal sealed class SplittingRule : Rule
     {
         public SplittingRule(string name, int order, Keeps keeps, Cost cost, string about) : base(name, order, keeps, cost, about) { }
@@ -204,11 +204,11 @@ namespace RigidBodyDynamics
 
         internal override TResult Use<TResult>(BodyDescription body, IRuleUse<TResult> use) =>
             !body.CanTurn ? use.With<Composition<HeldTop, Order2>>()
-            // ω of a body with locked axes stays: nothing to split
+            // ω of a body with locked axes is constant: nothing to split
             : (body.Lock & Locks.Turn) != 0 ? use.With<Composition<SphericalTop, Order2>>() : use.With<Composition<SplitTop, Order2>>();
     }
 
-    /// <summary>A rule whose free rotation is chosen by the body's moments: each body pays for what it is.</summary>
+    /// <summary>An integrator whose free rotation is chosen by the body's moments: the cheapest that is exact.</summary>
     internal sealed class CompositionRule<TScheme> : Rule where TScheme : struct, IScheme
     {
         public CompositionRule(string name, int order, Keeps keeps, Cost cost, string about) : base(name, order, keeps, cost, about) { }

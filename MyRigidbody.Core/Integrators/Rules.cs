@@ -3,14 +3,14 @@ using System.Collections.Generic;
 namespace RigidBodyDynamics
 {
     /// <summary>
-    /// The rules by which a body can move. Command line, tests, tables and menus all read the list; a new rule is one struct
-    /// in a file of its own and one line here. One of your own needs no line: <see cref="Of{TIntegrator}"/>.
+    /// The catalogue of integrators. Command line, tests, tables and menus all read it; a new integrator is one struct
+    /// in a file of its own and one line here. Your own needs no line: <see cref="Of{TIntegrator}"/>.
     /// </summary>
     public static class Rules
     {
         private const Keeps Kept = Keeps.Motion | Keeps.MomentumLength | Keeps.Momentum;
 
-        // in the order of the list, which the initialisers below fill
+        // in the order of the initialisers below, which add to it
         private static readonly List<Rule> List = new List<Rule>();
 
         /// <summary>Formula 3.3 as printed.</summary>
@@ -25,19 +25,19 @@ namespace RigidBodyDynamics
         public static Rule UnityRigidbody { get; } = Listed(new UnityRule(
             "UnityRigidbody", 1, Keeps.AngularVelocity, Cost.SeveralTimesTheLab, "DefaultRigidbody: PhysX's rule with drag, 7 rad/s and sleep"));
 
-        /// <summary>A yardstick: implicit Euler for ω.</summary>
+        /// <summary>A reference: implicit Euler for ω.</summary>
         public static Rule ImplicitGyroscopic { get; } = Listed<GyroscopicEuler<ImplicitRule>>(
             "ImplicitGyroscopic", 1, Keeps.Motion, Cost.SeveralTimesTheLab, "yardstick: one Newton step for the gyroscopic torque, as popular engines do");
 
-        /// <summary>A yardstick: explicit Euler for L.</summary>
+        /// <summary>A reference: explicit Euler for L.</summary>
         public static Rule ExplicitGyroscopic { get; } = Listed<GyroscopicEuler<ExplicitRule>>(
             "ExplicitGyroscopic", 1, Keeps.Motion | Keeps.MomentumLength, Cost.SeveralTimesTheLab, "yardstick: momentum back to its old length, as PhysX's switch does");
 
-        /// <summary>Free rotation in parts.</summary>
+        /// <summary>Free rotation split into five rotations.</summary>
         public static Rule Splitting { get; } = Listed(new SplittingRule(
             "Splitting", 2, Kept | Keeps.EnergyBounded | Keeps.WayBack, Cost.SeveralTimesTheLab, "rotations about the three axes in turn; keeps L, energy swings"));
 
-        /// <summary>For pushes that cannot be taken apart.</summary>
+        /// <summary>For pushes that have no exact flow.</summary>
         public static Rule RungeKutta4 { get; } = Listed<RungeKutta4>(
             "RungeKutta4", 4, Kept, Cost.SeveralTimesTheLab, "the classical rule, L in world axes; for pushes that cannot be taken apart");
 
@@ -45,21 +45,21 @@ namespace RigidBodyDynamics
         public static Rule Exact { get; } = Listed(new CompositionRule<Order2>(
             "Exact", 2, Kept | Keeps.Energy | Keeps.WayBack, Cost.LikeTheLab, "exact free motion between half pushes; exact where nothing pushes"));
 
-        /// <summary>The same, of order 4.</summary>
+        /// <summary>The same with order 4.</summary>
         public static Rule Exact4 { get; } = Listed(new CompositionRule<Order4>(
             "Exact4", 4, Kept | Keeps.Energy | Keeps.WayBack, Cost.SeveralTimesTheLab, "the same with seven pushes in a step, twelve where one reads a velocity"));
 
-        /// <summary>The same, of order 6.</summary>
+        /// <summary>The same with order 6.</summary>
         public static Rule Exact6 { get; } = Listed(new CompositionRule<Order6>(
             "Exact6", 6, Kept | Keeps.Energy | Keeps.WayBack, Cost.SeveralTimesTheLab, "the same with twelve pushes in a step, twenty where one reads a velocity"));
 
-        /// <summary>All of them, from the lab's own on.</summary>
+        /// <summary>All of them, in the order of the catalogue.</summary>
         public static IReadOnlyList<Rule> All => List;
 
-        /// <summary>The rule of a body that names none.</summary>
+        /// <summary>The integrator of a body that names none.</summary>
         public static Rule Default => Exact;
 
-        /// <summary>The rule with a name, exactly as it is written in the list: for text that is read.</summary>
+        /// <summary>The integrator with a name, exactly as written in the catalogue: for names in text.</summary>
         public static Rule Named(string name)
         {
             List<string> names = new List<string>();
@@ -74,11 +74,11 @@ namespace RigidBodyDynamics
             throw Guard.Refused("integrator", name, "must be one of " + string.Join(", ", names));
         }
 
-        /// <summary>A rule of your own, to be given to <see cref="BodyDescription.Rule"/>. What it says of itself is believed.</summary>
-        /// <typeparam name="TIntegrator">A struct that holds all it keeps of one body.</typeparam>
+        /// <summary>An integrator of your own, for <see cref="BodyDescription.Rule"/>. Its properties are not verified.</summary>
+        /// <typeparam name="TIntegrator">A struct that holds all it stores of one body.</typeparam>
         /// <param name="name">What messages and <c>explain</c> call it; the struct's name if absent.</param>
-        /// <param name="order">The power of the step with which its error falls, at least 1.</param>
-        /// <param name="keeps">What it keeps of a body that turns freely.</param>
+        /// <param name="order">The power of the step length with which its error falls, at least 1.</param>
+        /// <param name="keeps">What it conserves of a body that rotates freely.</param>
         /// <param name="about">One line about it.</param>
         public static Rule Of<TIntegrator>(string name = null, int order = 1, Keeps keeps = Keeps.Motion, string about = "")
             where TIntegrator : struct, IIntegrator =>

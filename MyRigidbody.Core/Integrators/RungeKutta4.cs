@@ -1,8 +1,8 @@
 namespace RigidBodyDynamics
 {
     /// <summary>
-    /// The classical Runge–Kutta rule of order 4, with the angular momentum held in world axes: L' = τ, so that without
-    /// a torque L is exact and only the orientation is approximated. For pushes that cannot be taken apart.
+    /// The classical Runge–Kutta method of order 4, with the angular momentum in world axes: L' = τ, so that without a torque L is
+    /// exact and only the orientation is approximated. For pushes that have no exact flow.
     /// </summary>
     internal struct RungeKutta4 : IIntegrator
     {
@@ -99,7 +99,7 @@ namespace RigidBodyDynamics
         {
             const EffectTraits Reads =
                 EffectTraits.ReadsPosition | EffectTraits.ReadsOrientation | EffectTraits.ReadsAngularVelocity | EffectTraits.ReadsVelocity;
-            // between the stages q is longer than 1; the turn it stands for is v ↦ q* v q / |q|²
+            // between the stages q is longer than 1; its rotation is v ↦ q* v q / |q|²
             double twice = 2 / q.LengthSquared;
             Vector3d u = q.Vector, t = twice * Vector3d.Cross(u, l);
             Vector3d w = 0.5 * Vector3d.Scale(_inverseMoments, l - q.W * t + Vector3d.Cross(u, t));

@@ -1,27 +1,27 @@
 namespace RigidBodyDynamics
 {
-    /// <summary>An order in which pushes and free motion follow one another: b₀ a₁ b₁ a₂ … b_n, in steps.</summary>
+    /// <summary>A sequence of pushes and free motion: b₀ a₁ b₁ a₂ … b_n, as parts of a step.</summary>
     internal interface IScheme
     {
-        /// <summary>The parts of a step over which the pushes act, one more than there are drifts.</summary>
+        /// <summary>The parts of a step for pushes, one more than there are drifts.</summary>
         double[] Kicks { get; }
 
-        /// <summary>The parts of a step of free motion between them.</summary>
+        /// <summary>The parts of a step for free motion between pushes.</summary>
         double[] Drifts { get; }
 
-        /// <summary>True if time passes with the free motion and stands still in a push.</summary>
+        /// <summary>True if time passes during free motion and stands still during a push.</summary>
         bool HoldsTime { get; }
 
         /// <summary>
-        /// For pushes that read a velocity, while time is held: parts α₁ α₂ … of a step, in turn of pushes one after another
-        /// and then free motion, and of the mirror image of that. Their order is the same whatever is read, and whether or not
-        /// the sum of pushes has an exact flow: each need only have one, or one that ends where it began when it goes back. Null
-        /// where a push that reads a velocity goes there and back within each part of <see cref="Kicks"/>.
+        /// For pushes that read a velocity, while time is held: parts α₁ α₂ … of a step, alternately for pushes one after another and
+        /// then free motion, and for the mirror image of that. Their order is the same whatever is read, and whether or not the sum
+        /// of pushes has an exact flow: each need only have one, or be reversible. Null where a push that reads a velocity is applied
+        /// forwards and backwards within each part of <see cref="Kicks"/>.
         /// </summary>
         double[] Mirrored { get; }
     }
 
-    /// <summary>Half a push, free motion, half a push (Strang): order 2; each push with its mean over its half.</summary>
+    /// <summary>Half a push, free motion, half a push (Strang): order 2; each push by its mean over its half.</summary>
     internal struct Order2 : IScheme
     {
         private static readonly double[] HalfKicks = { 0.5, 0.5 };
@@ -38,9 +38,9 @@ namespace RigidBodyDynamics
 
     /// <summary>
     /// Order 4 with six stages: S. Blanes, P. C. Moan, "Practical symplectic partitioned Runge–Kutta and
-    /// Runge–Kutta–Nyström methods", J. Comput. Appl. Math. 142 (2002): SRKN 6 b for pushes that read pose and time alone (the
-    /// free motion need not be a quadratic form's drift, a rotation will do), S 6 for those that read a velocity, its a₁ b₁ a₂ …
-    /// here as a₁ = α₁, b₁ = α₁ + α₂, a₂ = α₂ + α₃, … Two stages go back in time: damping of c h above ten grows there.
+    /// Runge–Kutta–Nyström methods", J. Comput. Appl. Math. 142 (2002): SRKN 6 b for pushes that read only pose and time (the
+    /// free motion may be a rotation, and need not be the drift of a quadratic form), S 6 for those that read a velocity, its
+    /// a₁ b₁ a₂ … here as a₁ = α₁, b₁ = α₁ + α₂, a₂ = α₂ + α₃, … Two stages go back in time: damping of c h above ten grows there.
     /// </summary>
     internal struct Order4 : IScheme
     {
@@ -62,7 +62,7 @@ namespace RigidBodyDynamics
 
         /// <summary>
         /// c₁ … c_k m c_k … c₁, or c₁ … c_k m m c_k … c₁, with m such that the sum is 1. The coefficients are given to 15
-        /// digits; that the sum is 1 to the last bit is what a constant push feels.
+        /// digits; the sum must be 1 to the last bit, because a constant push is multiplied by it.
         /// </summary>
         internal static double[] Palindrome(double[] outer, bool middleTwice)
         {

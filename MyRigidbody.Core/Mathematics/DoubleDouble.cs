@@ -4,8 +4,8 @@ using System.Runtime.CompilerServices;
 namespace RigidBodyDynamics
 {
     /// <summary>
-    /// A number in twice the digits, about 32: the unevaluated sum of two doubles. For what is computed once and used for long:
-    /// starts, and motions over a million turns. Sources: T. J. Dekker, "A floating-point technique for extending the available
+    /// A number in twice the digits, about 32: the unevaluated sum of two doubles. For constants that many steps use, and for
+    /// motions over a million revolutions. Sources: T. J. Dekker, "A floating-point technique for extending the available
     /// precision", Numer. Math. 18 (1971); Y. Hida, X. S. Li, D. H. Bailey, "Algorithms for quad-double precision" (2001).
     /// </summary>
     internal readonly struct DoubleDouble
@@ -15,10 +15,10 @@ namespace RigidBodyDynamics
         /// <summary>The number, rounded to double.</summary>
         public readonly double High;
 
-        /// <summary>What that rounds away.</summary>
+        /// <summary>The rounding error of <see cref="High"/>.</summary>
         public readonly double Low;
 
-        /// <summary>The sum of a number and one that is small beside it.</summary>
+        /// <summary>The sum of a number and a second one that is small beside it.</summary>
         public DoubleDouble(double high, double low)
         {
             High = high + low;
@@ -55,20 +55,20 @@ namespace RigidBodyDynamics
             return root == 0 ? root : new DoubleDouble(root, (a - (DoubleDouble)root * root).High / (2 * root));
         }
 
-        /// <summary>What a sum has rounded away.</summary>
+        /// <summary>The rounding error of a sum.</summary>
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
         internal static double Lost(double a, double b, double sum) => (a - (sum - (sum - a))) + (b - (sum - a));
 
-        /// <summary>What a product has rounded away.</summary>
+        /// <summary>The rounding error of a product.</summary>
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
         internal static double LostOf(double a, double b, double product)
         {
-            // halves of 26 bits, whose products are exact; cut off by a mask, which cannot overflow
+            // halves of 26 bits, whose products are exact; split by a mask, which cannot overflow
             double a1 = Upper(a), a2 = a - a1, b1 = Upper(b), b2 = b - b1;
             return ((a1 * b1 - product) + a1 * b2 + a2 * b1) + a2 * b2;
         }
 
-        /// <summary>a b − c d with what is rounded away, number by number.</summary>
+        /// <summary>a b − c d with its rounding error, without structs.</summary>
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
         internal static double Minor(double a, double aLow, double b, double bLow, double c, double cLow, double d, double dLow, out double low)
         {
@@ -77,7 +77,7 @@ namespace RigidBodyDynamics
             return all;
         }
 
-        /// <summary>A sum of a number and a product with what is rounded away, number by number.</summary>
+        /// <summary>The sum of a number and a product, with its rounding error, without structs.</summary>
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
         internal static double Add(double sum, double sumLow, double a, double aLow, double b, double bLow, out double low)
         {

@@ -6,12 +6,12 @@ namespace RigidBodyDynamics
     /// <summary>
     /// Sine, cosine and exponential from + − × and bit patterns alone, because those of the runtimes may differ in
     /// the last bit. Argument reduction after Cody and Waite (Software Manual for the Elementary Functions, 1980),
-    /// then Taylor's series on what is left.
+    /// then Taylor's series for the remainder.
     /// </summary>
     public static partial class Elementary
     {
         // π/2 as a sum: four parts of 24 bits, whose product with a whole number below 2²⁹ is exact, and the rest. The
-        // double closest to a multiple of π/2 is 2⁻⁶⁰ from it, so three parts and a rest would not do
+        // double closest to a multiple of π/2 is 2⁻⁶⁰ from it, so three parts and a rest would not suffice
         private const double HalfPi1 = 1.5707962512969970703125;
         private const double HalfPi2 = 7.5497894158615964e-8;
         private const double HalfPi3 = 5.3903025299577648e-15;
@@ -48,12 +48,12 @@ namespace RigidBodyDynamics
         {
             if (!(Math.Abs(x) <= LargestExactArgument))
             {
-                // the remainder is exact for the double nearest to 2π, which is off by 3.9e-17 of itself
+                // the remainder is exact for the double nearest to 2π, whose relative error is 3.9e-17
                 x = x % TwoPi;
             }
 
             double n = Math.Floor(x * TwoOverPi + 0.5);
-            // r + tail = x − n π/2: the first four products are exact, the sums keep what they round away
+            // r + tail = x − n π/2: the first four products are exact, the sums keep their rounding errors
             double a = x - n * HalfPi1;
             double b = n * HalfPi2;
             double r1 = a - b;
@@ -87,7 +87,7 @@ namespace RigidBodyDynamics
             double n = Math.Floor(x * OneOverLn2 + 0.5);
             double high = x - n * Ln2High, low = n * Ln2Low;
             double r = high - low, tail = (high - r) - low;
-            // e^r − 1 − r by its series; r itself is added last, so that its rounding is the only one of size
+            // e^r − 1 − r by its series; r itself is added last, so that only its rounding error matters
             double r2 = r * r;
             double p = 1.0 / 6227020800;
             p = p * r + 1.0 / 479001600;
@@ -102,7 +102,7 @@ namespace RigidBodyDynamics
             p = p * r + 1.0 / 6;
             p = p * r + 0.5;
             double value = 1 + (r + (p * r2 + (tail + tail * r)));
-            // in two factors, because a subnormal result has no power of two of its own
+            // in two factors, because the exponent of a subnormal result is below that of any normal power of two
             int exponent = (int)n, half = exponent / 2;
             return value * PowerOfTwo(half) * PowerOfTwo(exponent - half);
         }
@@ -160,7 +160,7 @@ namespace RigidBodyDynamics
             p = p * z - 1.0 / 720;
             p = p * z + 1.0 / 24;
             double half = 0.5 * z, whole = 1 - half;
-            // 1 − half is rounded; what it loses comes back with the rest
+            // 1 − half is rounded; its rounding error is added with the remaining terms
             return whole + (((1 - whole) - half) + (p * z * z - r * tail));
         }
 

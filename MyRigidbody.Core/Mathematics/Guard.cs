@@ -3,7 +3,7 @@ using System.Globalization;
 
 namespace RigidBodyDynamics
 {
-    /// <summary>Refuses impossible values by name and value, before anything has been changed.</summary>
+    /// <summary>Refuses invalid values, by name and value, before anything has been changed.</summary>
     internal static class Guard
     {
         /// <summary>True for every number but NaN and the infinities.</summary>
@@ -40,7 +40,7 @@ namespace RigidBodyDynamics
                 : throw Refused(name, value, "must be a quaternion [w, x, y, z] of length 1 or one that can be scaled to it");
         }
 
-        /// <summary>Returns an item of a list if it is finite. A name for every item of a long list would cost more than the list.</summary>
+        /// <summary>Returns an item of a list if it is finite. The name is built only for the error: one for every item would cost more than the list.</summary>
         internal static Vector3d Finite(Vector3d value, string list, int index) =>
             value.IsFinite ? value : Finite(value, list + "[" + index + "]");
 
@@ -51,24 +51,24 @@ namespace RigidBodyDynamics
         /// <summary>Returns the reference if it is not null.</summary>
         public static T NotNull<T>(T value, string name) where T : class => value ?? throw new ArgumentNullException(name);
 
-        /// <summary>The exception that names the argument, the rule and the value.</summary>
+        /// <summary>The exception that names the argument, the requirement and the value.</summary>
         public static ArgumentOutOfRangeException Refused(string name, object value, string rule)
         {
-            // "R" is for numbers with a point: an enum, and on older runtimes a whole number, refuses it
+            // "R" is for floating-point numbers: an enum, and on older runtimes an integer, refuses it
             string found = value is double number
                 ? number.ToString("R", CultureInfo.InvariantCulture)
                 : Convert.ToString(value, CultureInfo.InvariantCulture);
             return new RefusedException(name, value, rule + ", found " + found);
         }
 
-        /// <summary>A number in digits. Where it was a float in Unity, in those that somebody wrote there: 0.05, and not 0.05000000074505806.</summary>
+        /// <summary>A number in digits. A float in those digits that a user would write: 0.05, not 0.05000000074505806.</summary>
         internal static string AsGiven(double value) =>
             (value == (float)value ? (float)value : (IFormattable)value).ToString("R", CultureInfo.InvariantCulture);
 
-        /// <summary>A message in one line, whatever names and effects in it say.</summary>
+        /// <summary>A message in one line, whatever names and effects it contains.</summary>
         internal static string OneLine(string message) => message.Replace('\r', ' ').Replace('\n', ' ');
 
-        /// <summary>One line, whatever the runtime would add to it.</summary>
+        /// <summary>The message alone, without the lines that the runtime would add.</summary>
         private sealed class RefusedException : ArgumentOutOfRangeException
         {
             private readonly string _line;

@@ -24,8 +24,8 @@ namespace RigidBodyDynamics
         }
 
         /// <summary>
-        /// R of a quaternion, by the lab's formula 1 − 2(yy + zz), 2(xy − wz), ... A rotation only if the length
-        /// of q is 1; otherwise the formula is taken as it stands, as a script would that does not normalise.
+        /// R of a quaternion, by the lab's formula 1 − 2(yy + zz), 2(xy − wz), ... A rotation only if the length of q is 1; otherwise
+        /// the formula is used as it stands, as in a script that does not normalise.
         /// </summary>
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
         public static Matrix3 Of(Quaterniond q)

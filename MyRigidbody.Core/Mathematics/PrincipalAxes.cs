@@ -11,8 +11,7 @@ namespace RigidBodyDynamics
         private const int MostSweeps = 30;
 
         /// <summary>
-        /// Diagonalises A. A tensor that is diagonal already keeps its axes and their order. Moments come out to
-        /// a few roundings of the largest.
+        /// Diagonalises A. A diagonal tensor keeps its axes and their order. The error of the moments is a few roundings of the largest.
         /// </summary>
         /// <param name="tensor">The tensor in body axes, kg m².</param>
         /// <param name="frame">Takes the principal axes to the body axes; of length 1.</param>
@@ -40,10 +39,10 @@ namespace RigidBodyDynamics
             return Math.Max(diagonal, beside);
         }
 
-        /// <summary>One rotation about an axis, by the angle that makes the number opposite to it zero.</summary>
+        /// <summary>One rotation about an axis, by the angle that makes the opposite off-diagonal number zero.</summary>
         private static Quaterniond Turn(ref SymmetricMatrix3 a, int axis)
         {
-            // relabel cyclically, so that the plane of the turn is always (p, q)
+            // cyclic renaming, so that the plane of the rotation is always (p, q)
             double app, aqq, apq, arp, arq;
             switch (axis)
             {
@@ -52,7 +51,7 @@ namespace RigidBodyDynamics
                 default: app = a.Diagonal.X; aqq = a.Diagonal.Y; apq = a.OffDiagonal.Z; arp = a.OffDiagonal.Y; arq = a.OffDiagonal.X; break;
             }
 
-            // what no longer changes its neighbours by half an ulp is zero
+            // a number that no longer changes its neighbours by half an ulp counts as zero
             if (app + apq == app && aqq + apq == aqq && Math.Abs(apq) <= 1e-18)
                 apq = 0;
 
@@ -69,7 +68,7 @@ namespace RigidBodyDynamics
             app -= t * apq;
             aqq += t * apq;
             double newRp = cos * arp - sin * arq, newRq = sin * arp + cos * arq;
-            // the half angle, without trigonometry; the turn that takes new axes to old is the opposite one
+            // the half angle, without trigonometry; the rotation that takes new axes to old is the inverse
             double halfCos = Math.Sqrt(0.5 * (1 + cos)), halfSin = -0.5 * sin / halfCos;
             switch (axis)
             {

@@ -5,8 +5,8 @@ using System.Runtime.CompilerServices;
 namespace RigidBodyDynamics
 {
     /// <summary>
-    /// A quaternion, scalar part first. Of length 1 it is a turn and takes vectors of the body to the world:
-    /// v_world = q v_body q*. q and −q are the same turn.
+    /// A quaternion, scalar part first. With length 1 it is a rotation and takes vectors of the body to the world:
+    /// v_world = q v_body q*. q and −q are the same rotation.
     /// </summary>
     public struct Quaterniond
     {
@@ -42,10 +42,10 @@ namespace RigidBodyDynamics
             Z = v.Z;
         }
 
-        /// <summary>No turn at all.</summary>
+        /// <summary>No rotation.</summary>
         public static Quaterniond Identity => new Quaterniond(1, 0, 0, 0);
 
-        /// <summary>The turn by an angle (rad) about an axis of any length but zero.</summary>
+        /// <summary>The rotation by an angle (rad) about an axis of any length but zero.</summary>
         public static Quaterniond FromAxisAngle(Vector3d axis, double angle)
         {
             double length = axis.Length;
@@ -66,7 +66,7 @@ namespace RigidBodyDynamics
         /// <summary>The length.</summary>
         public double Length { [MethodImpl(MethodImplOptions.AggressiveInlining)] get => Math.Sqrt(LengthSquared); }
 
-        /// <summary>q*: the opposite turn, if the length is 1.</summary>
+        /// <summary>q*: the inverse rotation, if the length is 1.</summary>
         public Quaterniond Conjugate { [MethodImpl(MethodImplOptions.AggressiveInlining)] get => new Quaterniond(W, -X, -Y, -Z); }
 
         /// <summary>The quaternion of length 1 in the same direction.</summary>
@@ -80,23 +80,23 @@ namespace RigidBodyDynamics
             }
         }
 
-        /// <summary>Scalar product: of two turns the cosine of half the angle between them, below zero if −b is nearer to a than b.</summary>
+        /// <summary>Scalar product: of two rotations the cosine of half the angle between them, below zero if −b is nearer to a than b.</summary>
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
         public static double Dot(Quaterniond a, Quaterniond b) => a.W * b.W + a.X * b.X + a.Y * b.Y + a.Z * b.Z;
 
         /// <summary>
-        /// Between two turns at an even rate (K. Shoemake, SIGGRAPH 1985), the shorter way: a at part = 0, b or −b at part = 1,
-        /// and on the same great circle beyond. Lengths must be 1. The same bits on every runtime.
+        /// Interpolates two rotations at a constant rate (K. Shoemake, SIGGRAPH 1985) along the shorter arc: a at part = 0, b or −b at
+        /// part = 1, and on the same great circle beyond. Lengths must be 1. The same bits on every runtime.
         /// </summary>
         public static Quaterniond Slerp(Quaterniond a, Quaterniond b, double part)
         {
             b = Dot(a, b) < 0 ? -1 * b : b;
-            // of half the angle between the turns; so written the sine of a small one keeps its digits
+            // of half the angle between the rotations; in this form the sine of a small one keeps its digits
             double sin = 0.5 * (b + -1 * a).Length * (a + b).Length, cos = Dot(a, b);
             if (sin == 0)
                 return a;
 
-            // a guess off by at most 0.08, and three times the sine of what it lacks, which leaves δ³/6 of δ
+            // an estimate with an error of at most 0.08, corrected by sines three times; each correction leaves δ³/6 of an error δ
             double angle = 1.5707963267948966 * sin / (sin + cos);
             for (int i = 0; i < 3; i++)
             {
@@ -107,7 +107,7 @@ namespace RigidBodyDynamics
             return (Elementary.Sin((1 - part) * angle) / sin * a + Elementary.Sin(part * angle) / sin * b).Normalized;
         }
 
-        /// <summary>Between two turns along the chord, the shorter way: cheaper than <see cref="Slerp"/>, faster in the middle than at the ends.</summary>
+        /// <summary>Interpolates two rotations along the chord, on the shorter side: cheaper than <see cref="Slerp"/>, faster in the middle than at the ends.</summary>
         public static Quaterniond Nlerp(Quaterniond a, Quaterniond b, double part) =>
             ((1 - part) * a + (Dot(a, b) < 0 ? -part : part) * b).Normalized;
 
@@ -116,7 +116,7 @@ namespace RigidBodyDynamics
         public static Quaterniond operator +(Quaterniond a, Quaterniond b) =>
             new Quaterniond(a.W + b.W, a.X + b.X, a.Y + b.Y, a.Z + b.Z);
 
-        /// <summary>Hamilton's product: the turn b, then the turn a.</summary>
+        /// <summary>Hamilton's product: the rotation b, then the rotation a.</summary>
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
         public static Quaterniond operator *(Quaterniond a, Quaterniond b) => new Quaterniond(
             a.W * b.W - a.X * b.X - a.Y * b.Y - a.Z * b.Z,
@@ -129,7 +129,7 @@ namespace RigidBodyDynamics
         public static Quaterniond operator *(double s, Quaterniond a) => new Quaterniond(s * a.W, s * a.X, s * a.Y, s * a.Z);
 
         /// <summary>Takes a vector of the body to the world. The length of q must be 1.</summary>
-        /// <remarks>v + 2w (u × v) + 2u × (u × v), with u the vector part: 15 products and no square; number by number, because of Mono.</remarks>
+        /// <remarks>v + 2w (u × v) + 2u × (u × v), with u the vector part: 15 products and no square; without structs, because of Mono.</remarks>
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
         public Vector3d Rotate(Vector3d v)
         {

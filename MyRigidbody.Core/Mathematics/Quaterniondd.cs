@@ -1,6 +1,6 @@
 namespace RigidBodyDynamics
 {
-    /// <summary>A turn in twice the digits (<see cref="DoubleDouble"/>): of a start, and of a state that is shown.</summary>
+    /// <summary>A rotation in twice the digits (<see cref="DoubleDouble"/>): for starts, and for states that are read.</summary>
     internal readonly struct Quaterniondd
     {
         public readonly DoubleDouble W;
@@ -12,26 +12,26 @@ namespace RigidBodyDynamics
             Vector = vector;
         }
 
-        /// <summary>A quaternion and what has been rounded away of it.</summary>
+        /// <summary>A quaternion and its rounding error.</summary>
         public Quaterniondd(Quaterniond q, Quaterniond lost) : this(new DoubleDouble(q.W, lost.W), new Vector3dd(q.Vector, lost.Vector)) { }
 
         /// <summary>The nearest quaternion in double.</summary>
         public Quaterniond Rounded => new Quaterniond(W.High, Vector.Rounded);
 
-        /// <summary>What that lacks.</summary>
+        /// <summary>The rounding error of <see cref="Rounded"/>.</summary>
         public Quaterniond Lost => new Quaterniond(W.Low, Vector.Lost);
 
         public Quaterniondd Conjugate => new Quaterniondd(W, -1 * Vector);
 
-        /// <summary>The quaternion of length 1 in the same direction, to all digits.</summary>
+        /// <summary>The quaternion of length 1 in the same direction, in twice the digits.</summary>
         public Quaterniondd Normalized => 1 / DoubleDouble.Sqrt(LengthSquared) * this;
 
         private DoubleDouble LengthSquared => W * W + Vector3dd.Dot(Vector, Vector);
 
-        /// <summary>The turn that a quaternion stands for.</summary>
+        /// <summary>The rotation that a quaternion of any length represents.</summary>
         public static Quaterniondd Unit(Quaterniond q) => new Quaterniondd(q.W, q.Vector).Normalized;
 
-        /// <summary>The turn that a rate (rad/s) makes in a time (s), by however many times it goes round.</summary>
+        /// <summary>The rotation at a rate (rad/s) over a time (s), any number of revolutions.</summary>
         public static Quaterniondd Of(Vector3dd rate, DoubleDouble time)
         {
             DoubleDouble length = DoubleDouble.Sqrt(Vector3dd.Dot(rate, rate));
@@ -49,8 +49,8 @@ namespace RigidBodyDynamics
             a.W * b.W - Vector3dd.Dot(a.Vector, b.Vector), a.W * b.Vector + b.W * a.Vector + Vector3dd.Cross(a.Vector, b.Vector));
 
         /// <summary>
-        /// Takes a vector of the body to the world: v + 2u × (w v + u × v)/|q|², for a length that may be off 1 by roundings. Number by number, and
-        /// what is rounded away summed in one double: it is asked for whenever a state is seen.
+        /// Takes a vector of the body to the world: v + 2u × (w v + u × v)/|q|², for a length that differs from 1 by roundings. Without
+        /// structs, and with the rounding errors summed in one double: it runs whenever a state is read.
         /// </summary>
         public Vector3dd Rotate(in Vector3dd v)
         {

@@ -3,8 +3,8 @@ using System.Runtime.CompilerServices;
 namespace RigidBodyDynamics
 {
     /// <summary>
-    /// Sums that keep what they round away and add it with the next term (Kahan): a million small terms then cost no more
-    /// digits than one.
+    /// Compensated sums (Kahan): they add the rounding error of each term with the next, so that a million small terms have the
+    /// error of one.
     /// </summary>
     internal static partial class RunningSum
     {

@@ -4,18 +4,18 @@ using System.Runtime.CompilerServices;
 namespace RigidBodyDynamics
 {
     /// <summary>
-    /// A symmetric 3×3 matrix: an inertia tensor, kg m², or its inverse. The six numbers are given by name,
-    /// <c>new SymmetricMatrix3 { XX = 1, YY = 2, ZZ = 2.5, XY = 0.1 }</c>, because lists of them go in several orders.
+    /// A symmetric 3×3 matrix: an inertia tensor, kg m², or its inverse. The six numbers are set by name,
+    /// <c>new SymmetricMatrix3 { XX = 1, YY = 2, ZZ = 2.5, XY = 0.1 }</c>, because their order in lists varies.
     /// </summary>
     public struct SymmetricMatrix3
     {
         /// <summary>The diagonal (xx, yy, zz).</summary>
         public Vector3d Diagonal;
 
-        /// <summary>The three numbers beside the diagonal: yz, xz, xy.</summary>
+        /// <summary>The three off-diagonal numbers: yz, xz, xy.</summary>
         internal Vector3d OffDiagonal;
 
-        /// <summary>The matrix with the diagonal (xx, yy, zz) and yz, xz, xy beside it.</summary>
+        /// <summary>The matrix with the diagonal (xx, yy, zz) and yz, xz, xy off it.</summary>
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
         internal SymmetricMatrix3(Vector3d diagonal, Vector3d offDiagonal)
         {
@@ -32,26 +32,26 @@ namespace RigidBodyDynamics
         /// <summary>Third number of the diagonal.</summary>
         public double ZZ { get => Diagonal.Z; set => Diagonal.Z = value; }
 
-        /// <summary>In row x and column y, and the other way round; of an inertia tensor −Σ m x y, as in URDF's ixy.</summary>
+        /// <summary>In row x, column y, and row y, column x; of an inertia tensor −Σ m x y, as in URDF's ixy.</summary>
         public double XY { get => OffDiagonal.Z; set => OffDiagonal.Z = value; }
 
-        /// <summary>In row x and column z, and the other way round; of an inertia tensor −Σ m x z.</summary>
+        /// <summary>In row x, column z, and row z, column x; of an inertia tensor −Σ m x z.</summary>
         public double XZ { get => OffDiagonal.Y; set => OffDiagonal.Y = value; }
 
-        /// <summary>In row y and column z, and the other way round; of an inertia tensor −Σ m y z.</summary>
+        /// <summary>In row y, column z, and row z, column y; of an inertia tensor −Σ m y z.</summary>
         public double YZ { get => OffDiagonal.X; set => OffDiagonal.X = value; }
 
-        /// <summary>The matrix 1.</summary>
+        /// <summary>The unit matrix.</summary>
         public static SymmetricMatrix3 Identity => new SymmetricMatrix3(new Vector3d(1, 1, 1), Vector3d.Zero);
 
         /// <summary>r rᵀ, the product of every component with every other.</summary>
         public static SymmetricMatrix3 Outer(Vector3d r) =>
             new SymmetricMatrix3(Vector3d.Scale(r, r), new Vector3d(r.Y * r.Z, r.X * r.Z, r.X * r.Y));
 
-        /// <summary>r·r 1 − r rᵀ: what a mass of 1 kg at r resists about the origin, and by Steiner's rule what moments grow by, a way r from the centre of mass.</summary>
+        /// <summary>r·r 1 − r rᵀ: the inertia about the origin of 1 kg at r, and in Steiner's rule the term per kg for a distance r from the centre of mass.</summary>
         public static SymmetricMatrix3 OfPoint(Vector3d r)
         {
-            // r·r − x² as y² + z²: a long thin body would lose the moment about its axis in the difference
+            // r·r − x² as y² + z²: in the difference a long thin body would lose the moment about its axis
             SymmetricMatrix3 outer = Outer(r);
             Vector3d square = outer.Diagonal;
             return new SymmetricMatrix3(
@@ -77,7 +77,7 @@ namespace RigidBodyDynamics
             a.OffDiagonal.Z * v.X + a.Diagonal.Y * v.Y + a.OffDiagonal.X * v.Z,
             a.OffDiagonal.Y * v.X + a.OffDiagonal.X * v.Y + a.Diagonal.Z * v.Z);
 
-        /// <summary>R A Rᵀ: the same tensor in the axes to which R leads.</summary>
+        /// <summary>R A Rᵀ: the same tensor in the axes that R maps to.</summary>
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
         internal SymmetricMatrix3 RotatedBy(Matrix3 r)
         {
@@ -87,7 +87,7 @@ namespace RigidBodyDynamics
                 new Vector3d(Vector3d.Dot(r.Row2, a3), Vector3d.Dot(r.Row1, a3), Vector3d.Dot(r.Row1, a2)));
         }
 
-        /// <summary>A⁻¹ by cofactors. Loses as many digits as the largest and smallest moment are apart.</summary>
+        /// <summary>A⁻¹ by cofactors. Loses as many digits as the ratio of the largest to the smallest moment has.</summary>
         public SymmetricMatrix3 Inverse
         {
             [MethodImpl(MethodImplOptions.AggressiveInlining)]

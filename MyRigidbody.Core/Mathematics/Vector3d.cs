@@ -5,7 +5,7 @@ using System.Runtime.CompilerServices;
 namespace RigidBodyDynamics
 {
     /// <summary>Three numbers in double precision: a position, a velocity, a torque.</summary>
-    /// <remarks>Every operation is spelled out in one order, so that all runtimes round it alike.</remarks>
+    /// <remarks>Every operation is written in one order, so that all runtimes round it alike.</remarks>
     public struct Vector3d
     {
         /// <summary>Component along the first axis.</summary>
@@ -41,7 +41,7 @@ namespace RigidBodyDynamics
         /// <summary>The length. Over- and underflows where its square does.</summary>
         public double Length { [MethodImpl(MethodImplOptions.AggressiveInlining)] get => Math.Sqrt(LengthSquared); }
 
-        /// <summary>The vector of length 1 in the same direction, of whatever length; zero of zero.</summary>
+        /// <summary>The vector of length 1 in the same direction, for any length; zero for zero.</summary>
         public Vector3d Normalized
         {
             get
@@ -88,7 +88,7 @@ namespace RigidBodyDynamics
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
         public static Vector3d Scale(Vector3d a, Vector3d b) => new Vector3d(a.X * b.X, a.Y * b.Y, a.Z * b.Z);
 
-        /// <summary>Adds a multiple of it to a sum, without operators: a runtime that does not take structs apart (Mono) takes twice as long with them.</summary>
+        /// <summary>Adds a multiple of it to a sum, without operators: with them Mono, which does not keep structs in registers, takes twice as long.</summary>
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
         internal void AddTo(ref Vector3d sum, double factor)
         {

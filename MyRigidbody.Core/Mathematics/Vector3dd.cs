@@ -14,14 +14,14 @@ namespace RigidBodyDynamics
             Z = z;
         }
 
-        /// <summary>A vector and what has been rounded away of it.</summary>
+        /// <summary>A vector and its rounding error.</summary>
         public Vector3dd(Vector3d v, Vector3d lost)
             : this(new DoubleDouble(v.X, lost.X), new DoubleDouble(v.Y, lost.Y), new DoubleDouble(v.Z, lost.Z)) { }
 
         /// <summary>The nearest vector in double.</summary>
         public Vector3d Rounded => new Vector3d(X.High, Y.High, Z.High);
 
-        /// <summary>What that lacks.</summary>
+        /// <summary>The rounding error of <see cref="Rounded"/>.</summary>
         public Vector3d Lost => new Vector3d(X.Low, Y.Low, Z.Low);
 
         public static implicit operator Vector3dd(Vector3d v) => new Vector3dd(v.X, v.Y, v.Z);

@@ -3,7 +3,7 @@ using System.Runtime.CompilerServices;
 
 namespace RigidBodyDynamics
 {
-    /// <summary>A number of the precision R, so that one text of the rule serves float and double.</summary>
+    /// <summary>A number of the precision R, so that one source text of the integrator serves float and double.</summary>
     internal readonly struct Real<R> where R : struct, IRounding
     {
         private readonly double _value;

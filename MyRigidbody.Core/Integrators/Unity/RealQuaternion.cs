@@ -68,7 +68,7 @@ namespace RigidBodyDynamics
                 new RealVector<R>(jxz, jyz, d3.Dot(r3)).Dot(v));
         }
 
-        // v (2w² − 1) + 2w (u × v) + 2u (u·v), u the vector part; the sign of w tells there from back
+        // v (2w² − 1) + 2w (u × v) + 2u (u·v), u the vector part; the sign of w gives the rotation or its inverse
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
         private RealVector<R> Turn(RealVector<R> v, Real<R> w)
         {

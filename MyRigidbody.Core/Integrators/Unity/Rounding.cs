@@ -2,7 +2,7 @@ using System.Runtime.CompilerServices;
 
 namespace RigidBodyDynamics
 {
-    /// <summary>To which precision every single operation is rounded.</summary>
+    /// <summary>The precision to which every single operation is rounded.</summary>
     internal interface IRounding
     {
         /// <summary>The nearest number of that precision.</summary>
@@ -26,7 +26,7 @@ namespace RigidBodyDynamics
         public void SinCos(double angle, out double sin, out double cos) => SingleSine.SinCos(angle, out sin, out cos);
     }
 
-    /// <summary>Double precision: nothing is rounded that the processor has not rounded already.</summary>
+    /// <summary>Double precision: no rounding beyond the processor's own.</summary>
     internal struct ToDouble : IRounding
     {
         [MethodImpl(MethodImplOptions.AggressiveInlining)]

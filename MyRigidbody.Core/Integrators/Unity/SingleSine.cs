@@ -3,9 +3,9 @@ using System;
 namespace RigidBodyDynamics
 {
     /// <summary>
-    /// Sine and cosine of a float as the C library computes them that Unity's physics is recorded with: polynomials in
-    /// double whose degree is so low that one result in ten thousand is not the nearest float. Near an unstable axis such
-    /// a last bit grows, so a model that repeats recordings has to make it too.
+    /// Sine and cosine of a float, as in the C library of the Unity recordings: polynomials in double whose degree is so low that
+    /// one result in ten thousand is not the nearest float. Near an unstable axis such a last bit grows, so a model that repeats
+    /// recordings must reproduce it.
     /// </summary>
     /// <remarks>The coefficients are those of Sun's fdlibm as musl's sinf and cosf have them.</remarks>
     internal static class SingleSine
@@ -23,12 +23,12 @@ namespace RigidBodyDynamics
         private const double TwoOverPi = 0.63661977236758134308;
         private const double HalfPi = 1.57079632679489661923;
 
-        // π/2 in two parts: 25 bits, whose product with a number of quarter turns is exact, and the rest
+        // π/2 in two parts: 25 bits, whose product with a number of quarter revolutions is exact, and the rest
         private const double HalfPiHigh = 1.57079631090164184570;
         private const double HalfPiLow = 1.58932547735281966916e-8;
         private const double Largest = 4.2e8;
 
-        /// <summary>In double, before the rounding to float; abs(x) beyond 4.2e8 rad is left to <see cref="Elementary"/>.</summary>
+        /// <summary>In double, before the rounding to float; abs(x) beyond 4.2e8 rad is computed by <see cref="Elementary"/>.</summary>
         public static void SinCos(double x, out double sin, out double cos)
         {
             double a = Math.Abs(x);
@@ -38,7 +38,7 @@ namespace RigidBodyDynamics
                 return;
             }
 
-            // two turns are taken off by one subtraction and its rounding, more by two: the last bits depend on it
+            // up to two revolutions are subtracted by one subtraction and its rounding, more by two: the last bits depend on it
             double quarters = Math.Floor(a * TwoOverPi + 0.5);
             double r = quarters <= 4 ? a - quarters * HalfPi : a - quarters * HalfPiHigh - quarters * HalfPiLow;
             double s = Sine(r), c = Cosine(r);

@@ -1,8 +1,8 @@
 namespace RigidBodyDynamics
 {
     /// <summary>
-    /// DefaultRigidbody: what Unity's Rigidbody does with a body that touches nothing. PhysX's rule, to the last bit
-    /// in single precision; no gyroscopic term unless asked for, so a free body keeps ω, whatever its shape.
+    /// DefaultRigidbody: the motion of Unity's Rigidbody without contacts. PhysX's method, to the last bit in single precision;
+    /// no gyroscopic term unless requested, so a free body keeps ω, whatever its shape.
     /// </summary>
     internal struct UnityRigidbody<R> : IIntegrator where R : struct, IRounding
     {
@@ -31,10 +31,10 @@ namespace RigidBodyDynamics
 
         public bool IsFinite => State.HasFiniteSquares;
 
-        /// <summary>A body that sleeps stays where it is, gravity or not, until a force wakes it.</summary>
+        /// <summary>A sleeping body stays where it is, gravity or not, until a force wakes it.</summary>
         public bool HasClosedForm => IsAsleep;
 
-        /// <summary>Seconds until a body that stays at rest falls asleep.</summary>
+        /// <summary>Seconds until a body at rest falls asleep.</summary>
         public float WakeCounter => _wake.Left;
 
         public void Start(in Beginning body)
@@ -48,10 +48,10 @@ namespace RigidBodyDynamics
             if ((double)_inverseMass == 0 || !Guard.IsFinite((double)_inverseMass))
                 throw Guard.Refused("mass", _mass.Mass, Fits);
 
-            // those may over- or underflow: a body that nothing turns keeps its spin without them
+            // these may over- or underflow: without a torque they are not used
             _inverseMoments = RealVector<R>.From(_mass.PrincipalMoments).Inverse();
             _moments = _inverseMoments.Inverse();
-            // a locked axis has an infinite mass or moment, and what a script sets along it is gone in the next step
+            // a locked axis has an infinite mass or moment; a velocity that a script sets along it is zero in the next step
             _lock = body.Lock;
             _inverseMoments = RealVector<R>.From(_lock.Turning(_inverseMoments.ToDouble()));
             _inverseMasses = RealVector<R>.From(_lock.Moving((double)_inverseMass * new Vector3d(1, 1, 1)));
@@ -66,7 +66,7 @@ namespace RigidBodyDynamics
             IsAsleep = false;
         }
 
-        /// <remarks>PhysX's addForce and addTorque in impulse mode: what is not zero also wakes the body.</remarks>
+        /// <remarks>PhysX's addForce and addTorque in impulse mode: an impulse that is not zero also wakes the body.</remarks>
         public void Push(in Wrench impulse)
         {
             RealVector<R> force = RealVector<R>.From(impulse.Force);
@@ -141,11 +141,11 @@ namespace RigidBodyDynamics
                 _w = _w * _decayW;
             }
 
-            // 10., 11. the clock that lets it sleep
+            // 10., 11. the counter that puts the body to sleep
             _wake.Run((double)_h, _v, _q.RotateInverse(_w), _inverseMass, _moments);
         }
 
-        /// <summary>What is given in double may be infinite in single precision, and zero times that is NaN.</summary>
+        /// <summary>A value finite in double may be infinite in single precision, and zero times infinity is NaN.</summary>
         private static RealVector<R> Fitting(Vector3d given, string name)
         {
             RealVector<R> value = RealVector<R>.From(given);
@@ -181,7 +181,7 @@ namespace RigidBodyDynamics
             _w = _w + _q.Rotate(_inverseMoments.Scale(next) - l);
         }
 
-        /// <summary>9. The exact turn about ω, which stays where it is in the world.</summary>
+        /// <summary>9. The exact rotation about ω, which is constant in the world.</summary>
         private void Turn()
         {
             if (_unity.FirstOrderOrientation)

@@ -2,7 +2,7 @@ using System;
 
 namespace RigidBodyDynamics
 {
-    /// <summary>What a script can set on Unity's Rigidbody, with Unity's defaults. For <c>UnityRigidbody</c> only.</summary>
+    /// <summary>The settings of Unity's Rigidbody, with Unity's defaults. For <c>UnityRigidbody</c> only.</summary>
     public sealed class UnitySettings
     {
         private double _drag;
@@ -11,10 +11,10 @@ namespace RigidBodyDynamics
         private double _sleepThreshold = 0.005;
         private double _wakeCounter = 0.4;
 
-        /// <summary>Rigidbody.drag, 1/s: v times max(0, 1 − drag Δt) a step.</summary>
+        /// <summary>Rigidbody.drag, 1/s: v times max(0, 1 − drag Δt) in each step.</summary>
         public double Drag { get => _drag; set => _drag = Guard.NotNegative(value, "drag"); }
 
-        /// <summary>Rigidbody.angularDrag, 1/s: ω times max(0, 1 − angularDrag Δt) a step.</summary>
+        /// <summary>Rigidbody.angularDrag, 1/s: ω times max(0, 1 − angularDrag Δt) in each step.</summary>
         public double AngularDrag { get => _angularDrag; set => _angularDrag = Guard.NotNegative(value, "angularDrag"); }
 
         /// <summary>Rigidbody.maxAngularVelocity, rad/s; infinite for no limit.</summary>
@@ -33,15 +33,15 @@ namespace RigidBodyDynamics
         /// <summary>PhysX 5's gyroscopic forces. Unity 2019.4 has none.</summary>
         public bool GyroscopicForces { get; set; }
 
-        /// <summary>Compute in double instead of in float as Unity does.</summary>
+        /// <summary>Compute in double instead of Unity's float.</summary>
         public bool InDouble { get; set; }
 
-        /// <summary>The lab's q + [0, ½ Δt ω] q in place of the exact turn: only to show what that rule does.</summary>
+        /// <summary>The lab's q + [0, ½ Δt ω] q in place of the exact rotation: only to show the effect of that formula.</summary>
         public bool FirstOrderOrientation { get; set; }
 
         /// <summary>
-        /// Moments from <c>Rigidbody.inertiaTensor</c>, which has 0 about an axis that the body is frozen at: the largest of the
-        /// others stands there instead, or 1, and the axis is locked.
+        /// Moments from <c>Rigidbody.inertiaTensor</c>, which has 0 for a frozen axis: that moment becomes the largest of the others,
+        /// or 1, and the axis is locked.
         /// </summary>
         public static Vector3d Moments(Vector3d inertiaTensor, out Locks frozen)
         {
@@ -51,7 +51,7 @@ namespace RigidBodyDynamics
             return new Vector3d(i.X == 0 ? other : i.X, i.Y == 0 ? other : i.Y, i.Z == 0 ? other : i.Z);
         }
 
-        /// <summary>The same settings, to be changed without changing these.</summary>
+        /// <summary>A separate copy of the settings.</summary>
         public UnitySettings Copy() => (UnitySettings)MemberwiseClone();
 
         internal bool IsLike(UnitySettings other) =>

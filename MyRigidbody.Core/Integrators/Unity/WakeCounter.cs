@@ -3,12 +3,12 @@ using System;
 namespace RigidBodyDynamics
 {
     /// <summary>
-    /// When PhysX lets a body sleep: a clock runs down while the *sum* of its velocities over the last steps stays
-    /// small, and is set back when it does not.
+    /// When PhysX puts a body to sleep: a counter runs down while the *sum* of the body's velocities over the last steps is
+    /// small, and is reset when it is not.
     /// </summary>
     internal struct WakeCounter<R> where R : struct, IRounding
     {
-        // the clock decides on which step sleep begins, so it runs in float in every precision
+        // the counter decides in which step sleep begins, so it runs in float in every precision
         private const float Full = 20f * 0.02f;
         private const float Half = Full * 0.5f;
 
@@ -28,10 +28,10 @@ namespace RigidBodyDynamics
 
         public bool NeverSleeps => _threshold.IsZero;
 
-        /// <summary>A force or torque came.</summary>
+        /// <summary>Called for a force or torque.</summary>
         public void Wake() => _left = Math.Max(_left, Full);
 
-        /// <summary>True if the body sleeps through the step that begins.</summary>
+        /// <summary>True if the body sleeps during the step that begins.</summary>
         public bool Sleeps()
         {
             if (_left != 0 || NeverSleeps)
@@ -41,7 +41,7 @@ namespace RigidBodyDynamics
             return true;
         }
 
-        /// <summary>Lets the clock run for a step.</summary>
+        /// <summary>Runs the counter for a step.</summary>
         /// <param name="h">Its length, s.</param>
         /// <param name="v">Velocity, m/s.</param>
         /// <param name="w">Angular velocity in principal axes, rad/s.</param>
