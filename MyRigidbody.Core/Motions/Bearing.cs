@@ -1,9 +1,9 @@
 namespace RigidBodyDynamics
 {
     /// <summary>
-    /// Takes from what acts on a body what its <see cref="Locks"/> take up, and leaves torques as they turn a body with three equal
-    /// moments of 1 kg m² in the same way: its ω stays where nothing turns it, as that of a locked body does. So no rule has to
-    /// know of locks, and the exact ones are exact.
+    /// Removes from the wrench on a body what its <see cref="Locks"/> take up, and scales torques so that a body with three equal
+    /// moments of 1 kg m² rotates under them in the same way: its ω is constant without a torque, as that of a locked body is. So no
+    /// integrator needs to treat locks, and the exact ones are exact.
     /// </summary>
     internal sealed class Bearing
     {
@@ -19,17 +19,17 @@ namespace RigidBodyDynamics
                 : real;
         }
 
-        /// <summary>What a rule takes the body for.</summary>
+        /// <summary>The mass properties that the integrator uses.</summary>
         public MassProperties Mass { get; }
 
-        /// <summary>True if torques are seen by the body's axes.</summary>
+        /// <summary>True if torques depend on the body's axes.</summary>
         public bool ReadsOrientation => Mass != _real;
 
-        /// <summary>Null for a body that is not locked, or whole: a rule then has nothing to do.</summary>
+        /// <summary>Null where no axis is locked, or the whole translation or rotation is: an integrator treats those cases itself.</summary>
         public static Bearing Of(Locks locks, MassProperties mass) =>
             IsPart(locks & Locks.Move, Locks.Move) || IsPart(locks & Locks.Turn, Locks.Turn) ? new Bearing(locks, mass) : null;
 
-        /// <summary>What is left of what acts on the body.</summary>
+        /// <summary>The wrench without what the locks take up.</summary>
         public Wrench Left(Wrench given, Quaterniond orientation)
         {
             given.Force = _locks.Moving(given.Force);
@@ -40,7 +40,7 @@ namespace RigidBodyDynamics
             return new Wrench { Force = given.Force, Torque = torque };
         }
 
-        /// <summary>A push on the body as one that its locks have taken their part of.</summary>
+        /// <summary>A push on the body, without what its locks take up.</summary>
         public IPush On(IPush push) => new Held(push, this);
 
         private Vector3d Scaled(Vector3d torque, Vector3d factors, Quaterniond orientation)
@@ -78,7 +78,7 @@ namespace RigidBodyDynamics
                 impulse = _by.Left(given, body.Orientation);
             }
 
-            /// <summary>What others gave before, on the real body: a push that reads a velocity asks for that.</summary>
+            /// <summary>The impulse of the pushes before, on the real body: a push that reads a velocity needs it.</summary>
             private Wrench Before(Wrench left, in BodyState body)
             {
                 if (_by.ReadsOrientation)

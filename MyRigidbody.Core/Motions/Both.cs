@@ -2,7 +2,7 @@ using System.Runtime.CompilerServices;
 
 namespace RigidBodyDynamics
 {
-    /// <summary>Two pushes together. Sums of any number are built of these, so the compiler sees through them.</summary>
+    /// <summary>Two pushes together. Sums of any number are nested from it, so that the compiler can inline them.</summary>
     internal struct Both<TFirst, TSecond> : IPush
         where TFirst : struct, IPush
         where TSecond : struct, IPush

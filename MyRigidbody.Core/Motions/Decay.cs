@@ -4,8 +4,8 @@ using System.Runtime.CompilerServices;
 namespace RigidBodyDynamics
 {
     /// <summary>
-    /// What a velocity loses by damping, kept as the part that is lost beside the part that is left: v − lost · v rounds
-    /// now up, now down, where left · v repeats the rounding of e^(−ch) at every step, and a million steps add it up.
+    /// The factor of a velocity under damping, stored as the part lost beside the part left: v − lost · v rounds up and down in
+    /// turns, where left · v repeats the rounding of e^(−ch) in every step, and a million steps accumulate it.
     /// </summary>
     internal readonly partial struct Decay
     {
@@ -13,27 +13,27 @@ namespace RigidBodyDynamics
         private readonly double _left;
         private readonly double _lost;
 
-        /// <summary>Of the parts left and lost, which make 1 together.</summary>
+        /// <summary>Of the parts left and lost, whose sum is 1.</summary>
         public Decay(double left, double lost)
         {
             _left = left;
             _lost = lost;
         }
 
-        /// <summary>By a factor.</summary>
+        /// <summary>From a factor.</summary>
         public static Decay To(double factor) => new Decay(factor, 1 - factor);
 
         /// <summary>True if nothing is lost.</summary>
         public bool IsNone => _lost == 0;
 
-        /// <summary>What is left of a number.</summary>
+        /// <summary>A number after the damping.</summary>
         public double Of(double x)
         {
             double left = Math.Abs(_lost) < 0.5 ? x - _lost * x : _left * x;
             return IsNone ? left : Rest(left);
         }
 
-        /// <summary>What is left of a vector.</summary>
+        /// <summary>A vector after the damping.</summary>
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
         public Vector3d Of(Vector3d v)
         {
@@ -41,7 +41,7 @@ namespace RigidBodyDynamics
             return IsNone ? left : Rest(left);
         }
 
-        /// <summary>Takes off a running sum what it loses.</summary>
+        /// <summary>Subtracts the damped part from a running sum.</summary>
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
         public void Take(ref double x, ref double lost)
         {
@@ -67,7 +67,7 @@ namespace RigidBodyDynamics
             Take(ref v.Z, ref lost.Z);
         }
 
-        /// <summary>What is left of a vector by a factor alone.</summary>
+        /// <summary>A vector after a factor alone.</summary>
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
         public static Vector3d By(double factor, Vector3d v) => factor == 1 ? factor * v : Rest(factor * v);
 
@@ -76,8 +76,8 @@ namespace RigidBodyDynamics
         public static double By(double factor, double x) => Rest(factor * x);
 
         /// <summary>
-        /// A number that has decayed to less than 1e-290 is zero, of its sign: what comes after that, numbers with ever fewer
-        /// digits, costs a processor ten times as much and never ends.
+        /// A number below 1e-290 becomes zero with its sign: subnormal numbers would follow, which take a processor ten times as
+        /// long, in every later step.
         /// </summary>
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
         private static double Rest(double x) => Math.Abs(x) < Least ? 0 * x : x;

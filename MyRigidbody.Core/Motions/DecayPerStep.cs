@@ -3,8 +3,8 @@ using System.Globalization;
 namespace RigidBodyDynamics
 {
     /// <summary>
-    /// The lab's damping: velocity and angular velocity times a factor, once a step. What is left after a second
-    /// depends on the number of steps in it: of 0.98, 36 % at 50 steps a second, 30 % at 60, 5 % at 144.
+    /// The lab's damping: velocity and angular velocity times a factor, once a step. The velocity after a second
+    /// depends on the number of steps: with 0.98, 36 % at 50 steps a second, 30 % at 60, 5 % at 144.
     /// </summary>
     public readonly struct DecayPerStep : ICoast
     {
@@ -27,7 +27,7 @@ namespace RigidBodyDynamics
             coasting.AngularFactorPerStep *= _angular;
         }
 
-        /// <summary>In words.</summary>
+        /// <summary>The effect in words, for messages and explain.</summary>
         public override string ToString() =>
             string.Format(CultureInfo.InvariantCulture, "v × {0:R}, ω × {1:R} a step", _linear, _angular);
 

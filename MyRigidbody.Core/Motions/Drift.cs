@@ -4,17 +4,17 @@ namespace RigidBodyDynamics
 {
     /// <summary>
     /// The exact flow of coasting over one duration: v' = g − c v has v = e^(−ch) v₀ + s g and x = x₀ + s v₀ + r g with
-    /// s = (1 − e^(−ch))/c and r = (h − s)/c; and L' = −c L turns the body as far as it would turn freely in the time s.
+    /// s = (1 − e^(−ch))/c and r = (h − s)/c; and under L' = −c L the body rotates as far as a free one in the time s.
     /// </summary>
     internal readonly partial struct Drift
     {
-        /// <summary>The time in which a free body turns as far as the damped one, s.</summary>
+        /// <summary>The time in which a free body rotates as far as the damped one, s.</summary>
         public readonly double TurningTime;
 
         /// <summary>True if neither gravity nor damping acts.</summary>
         public readonly bool IsFree;
 
-        /// <summary>What is left of ω.</summary>
+        /// <summary>The damping of ω.</summary>
         public readonly Decay AngularDecay;
 
         private readonly double _s;
@@ -22,7 +22,7 @@ namespace RigidBodyDynamics
         private readonly Vector3d _fall;
         private readonly Vector3d _gain;
 
-        /// <summary>The flow; the factors per step are left out.</summary>
+        /// <summary>The flow, without the factors per step.</summary>
         public Drift(in Coasting coasting, double duration)
         {
             AngularDecay = Of(coasting.AngularDampingRate, duration, out TurningTime, out _);
@@ -32,7 +32,7 @@ namespace RigidBodyDynamics
             IsFree = coasting.Acceleration.IsZero && coasting.LinearDampingRate == 0 && coasting.AngularDampingRate == 0;
         }
 
-        /// <summary>Moves a centre of mass; what the sums round away is kept.</summary>
+        /// <summary>Moves a centre of mass, with compensated sums.</summary>
         public void Move(ref Vector3d x, ref Vector3d xLost, ref Vector3d v, ref Vector3d vLost)
         {
             RunningSum.Add(ref x, ref xLost, _s * v + _fall);

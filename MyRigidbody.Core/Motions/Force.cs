@@ -2,8 +2,8 @@ namespace RigidBodyDynamics
 {
     /// <summary>
     /// A force constant + sine · sin(rate t) + cosine · cos(rate t), in world or in body axes, at the centre of mass or at a point of the
-    /// body. With one that neither turns with the body nor swings, at the centre of mass, a body coasts as with gravity; by
-    /// <c>UnityRigidbody</c>, whose sleep knows forces, it is a push.
+    /// body. A constant force in world axes at the centre of mass has a closed form, as gravity has; for <c>UnityRigidbody</c>, whose
+    /// sleep depends on forces, it is a push.
     /// </summary>
     public readonly struct Force : IPush, ICoast
     {
@@ -14,17 +14,17 @@ namespace RigidBodyDynamics
         /// <summary>A constant force, N.</summary>
         /// <param name="force">N.</param>
         /// <param name="at">The point of the body where it acts, body frame, m; the centre of mass if absent.</param>
-        /// <param name="inBody">True: along body axes, and turns with the body, as a thruster's. False: along world axes.</param>
+        /// <param name="inBody">True: along body axes, rotating with the body, as a thruster's. False: along world axes.</param>
         public Force(Vector3d force, Vector3d? at = null, bool inBody = false)
             : this(new Harmonic(force, Vector3d.Zero, Vector3d.Zero, 0, nameof(force)), at, inBody) { }
 
-        /// <summary>A force that swings, N, with rate in rad/s.</summary>
-        /// <param name="constant">The part that does not change, N.</param>
+        /// <summary>A force that varies harmonically, N, with rate in rad/s.</summary>
+        /// <param name="constant">The constant part, N.</param>
         /// <param name="sine">Factor of sin(rate t), N.</param>
         /// <param name="cosine">Factor of cos(rate t), N.</param>
         /// <param name="rate">rad/s.</param>
         /// <param name="at">The point of the body where it acts, body frame, m; the centre of mass if absent.</param>
-        /// <param name="inBody">True: along body axes, and turns with the body. False: along world axes.</param>
+        /// <param name="inBody">True: along body axes, rotating with the body. False: along world axes.</param>
         public Force(Vector3d constant, Vector3d sine, Vector3d cosine, double rate, Vector3d? at = null, bool inBody = false)
             : this(new Harmonic(constant, sine, cosine, rate), at, inBody) { }
 
@@ -50,7 +50,7 @@ namespace RigidBodyDynamics
 
         public void AddTo(ref Coasting coasting, MassProperties mass) => coasting.Acceleration += _force.Mean(0, 0) / mass.Mass;
 
-        /// <summary>In words.</summary>
+        /// <summary>The effect in words, for messages and explain.</summary>
         public override string ToString() =>
             "force " + _force + " N" + (_hasPoint ? " at " + _at + " m of the body" : string.Empty) + (_inBody ? ", body axes" : string.Empty);
 

@@ -12,7 +12,7 @@ namespace RigidBodyDynamics
 
         public void AddTo(ref Coasting coasting, MassProperties mass) => coasting.Acceleration += _acceleration;
 
-        /// <summary>In words.</summary>
+        /// <summary>The effect in words, for messages and explain.</summary>
         public override string ToString() => "gravity (" + Guard.AsGiven(_acceleration.X) + ", " + Guard.AsGiven(_acceleration.Y) + ", " + Guard.AsGiven(_acceleration.Z) + ") m/s²";
     }
 }

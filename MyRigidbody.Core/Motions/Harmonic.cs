@@ -3,7 +3,7 @@ using System.Runtime.CompilerServices;
 
 namespace RigidBodyDynamics
 {
-    /// <summary>A vector that changes as constant + sine · sin(rate t) + cosine · cos(rate t): what <see cref="Force"/> and <see cref="Torque"/> have in common.</summary>
+    /// <summary>A vector constant + sine · sin(rate t) + cosine · cos(rate t), which <see cref="Force"/> and <see cref="Torque"/> share.</summary>
     internal readonly struct Harmonic
     {
         private readonly Vector3d _constant;
@@ -11,7 +11,7 @@ namespace RigidBodyDynamics
         private readonly Vector3d _cosine;
         private readonly double _rate;
 
-        /// <summary>True unless it is the same at all times.</summary>
+        /// <summary>True unless it is constant.</summary>
         public readonly bool Swings;
 
         public Harmonic(Vector3d constant, Vector3d sine, Vector3d cosine, double rate, string name = "constant")
@@ -24,8 +24,8 @@ namespace RigidBodyDynamics
         }
 
         /// <summary>
-        /// The mean over a time. The mean of sin(rate t) from t to t + h is sin at the middle, times sin(z)/z with z = rate h/2; no
-        /// difference of cosines that would cancel for short steps.
+        /// The mean over a time. The mean of sin(rate t) from t to t + h is sin at the middle, times sin(z)/z with z = rate h/2, without
+        /// a difference of cosines, which would cancel for short steps.
         /// </summary>
         public Vector3d Mean(double time, double duration)
         {
@@ -44,7 +44,7 @@ namespace RigidBodyDynamics
                 _constant.AddTo(ref sum, factor);
         }
 
-        // a sine is long, and the step around it is compiled well only while it is short
+        // a method of its own, because a sine is long code, and the step around it is optimised well only while it is short
         [MethodImpl(MethodImplOptions.NoInlining)]
         private void AddSwinging(double middle, double spread, double factor, ref Vector3d sum)
         {
@@ -54,11 +54,11 @@ namespace RigidBodyDynamics
             sum.Z += factor * (_constant.Z + spread * (sin * _sine.Z + cos * _cosine.Z));
         }
 
-        /// <summary>In words.</summary>
+        /// <summary>The vector in words.</summary>
         public override string ToString() => !Swings ? _constant.ToString() : string.Format(
             CultureInfo.InvariantCulture, "{0} + {1} sin({3:R} t) + {2} cos({3:R} t)", _constant, _sine, _cosine, _rate);
 
-        // sin(z)/z; its series where the first term left out is below a rounding
+        // sin(z)/z; its series where the first omitted term is below a rounding
         private static double Spread(double z)
         {
             double zz = z * z;

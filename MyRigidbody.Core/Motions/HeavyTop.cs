@@ -3,8 +3,8 @@ using System.Globalization;
 namespace RigidBodyDynamics
 {
     /// <summary>
-    /// Gravity's torque about a pivot: −moment (axis × up). The body's inertia must be the one about the pivot: <see cref="MassProperties.HeldAtOrigin"/>
-    /// makes it of one about the centre of mass. By the other one a thin rod would swing in half its time.
+    /// Gravity's torque about a pivot: −moment (axis × up). The body's inertia must be the one about the pivot, which
+    /// <see cref="MassProperties.HeldAtOrigin"/> computes; with the inertia about its centre of mass a thin rod would swing in half the period.
     /// </summary>
     public readonly struct HeavyTop : IPush
     {
@@ -13,9 +13,9 @@ namespace RigidBodyDynamics
         private readonly double _moment;
 
         /// <summary>The torque.</summary>
-        /// <param name="axis">From the pivot to the centre of mass, body axes; only its direction counts.</param>
+        /// <param name="axis">From the pivot to the centre of mass, body axes; only its direction matters.</param>
         /// <param name="moment">m g l, N m.</param>
-        /// <param name="up">World axes; only its direction counts.</param>
+        /// <param name="up">World axes; only its direction matters.</param>
         public HeavyTop(Vector3d axis, double moment, Vector3d up)
         {
             Guard.Finite(axis, nameof(axis));
@@ -33,7 +33,7 @@ namespace RigidBodyDynamics
         public void Over(in Instant now, double duration, in BodyState body, MassProperties mass, ref Wrench impulse) =>
             impulse.BodyTorque -= duration * _moment * Vector3d.Cross(_axis, body.Orientation.RotateInverse(_up));
 
-        /// <summary>In words.</summary>
+        /// <summary>The effect in words, for messages and explain.</summary>
         public override string ToString() => string.Format(
             CultureInfo.InvariantCulture, "heavy top, m g l = {0:R} N m along {1}, up {2}", _moment, _axis, _up);
     }

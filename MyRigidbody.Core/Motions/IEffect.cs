@@ -1,9 +1,9 @@
 namespace RigidBodyDynamics
 {
-    /// <summary>What acts on a body: an <see cref="IPush"/> or an <see cref="ICoast"/>. Its <c>ToString</c> is how explain calls it.</summary>
+    /// <summary>Anything that acts on a body: an <see cref="IPush"/> or an <see cref="ICoast"/>. Its <c>ToString</c> is its name in explain.</summary>
     public interface IEffect
     {
-        /// <summary>What it is, what it does to a body and what it needs to know: what is not said here may be left out.</summary>
+        /// <summary>The kind of effect, what it does to a body and what it reads: what is not declared may be omitted from the motion.</summary>
         EffectTraits Traits { get; }
     }
 }

@@ -3,30 +3,30 @@ using System;
 namespace RigidBodyDynamics
 {
     /// <summary>
-    /// An effect that pushes or turns a body. To write one of your own, write a struct with these three members; to
+    /// A push: an effect with a force or torque. To write one of your own, write a struct with these three members; to
     /// use it, <c>body.With(new MyEffect(...))</c>.
     /// </summary>
     /// <remarks>
-    /// Both questions are asked of a struct known at compile time, so an effect costs what it computes and one that
-    /// is not in the scene costs nothing. Neither may change the effect or allocate.
+    /// Both methods are called on a struct type known at compile time, so an effect costs only its own arithmetic, and one that
+    /// is not in the scene costs nothing. Neither method may change the effect or allocate.
     /// </remarks>
     public interface IPush : IEffect
     {
-        /// <summary>Adds the force and torque at this instant. Asked by integrators that evaluate.</summary>
+        /// <summary>Adds the force and torque at this instant. Called by integrators that evaluate.</summary>
         void At(in Instant now, in BodyState body, MassProperties mass, ref Wrench wrench);
 
         /// <summary>
-        /// Adds the impulse this effect alone gives in the time that follows, the body held in its place: its exact
-        /// flow. Asked by integrators that compose; the duration may be negative. What depends on neither time nor
-        /// velocity gives duration × At, and so does what depends on time while <see cref="Instant.IsHeld"/>. The impulse
-        /// comes in with what other pushes gave before in the same time: the body now moves as
-        /// <see cref="Wrench.AppliedTo"/> says. What reads a velocity and has no exact flow may give one that comes back: for −h
-        /// what it took for h. EffectCheck tries all this.
+        /// Adds the impulse that this effect alone gives in the following time, while the pose of the body is fixed: its exact
+        /// flow. Called by integrators that compose; the duration may be negative. A push that depends on neither time nor
+        /// velocity gives duration × At, and so does one that depends on time while <see cref="Instant.IsHeld"/>. The impulse already
+        /// contains what other pushes gave in the same time: the body now moves as <see cref="Wrench.AppliedTo"/> says. A push that
+        /// reads a velocity and has no exact flow may give a reversible one: for −h the opposite of what it gave for h. EffectCheck
+        /// tests all this.
         /// </summary>
         void Over(in Instant now, double duration, in BodyState body, MassProperties mass, ref Wrench impulse);
     }
 
-    /// <summary>What an effect is, what it does and what it reads.</summary>
+    /// <summary>The kind of an effect, what it does and what it reads.</summary>
     [Flags]
     public enum EffectTraits
     {
@@ -55,7 +55,7 @@ namespace RigidBodyDynamics
         ReadsAngularVelocity = 64,
 
         /// <summary>
-        /// Its force and torque are the slope of a potential energy of position and orientation: around a closed way it does no
+        /// Its force and torque are the gradient of a potential energy of position and orientation: along a closed path it does no
         /// work. Reads neither time nor a velocity.
         /// </summary>
         HasPotential = 128,
@@ -63,13 +63,13 @@ namespace RigidBodyDynamics
         /// <summary>Is gravity: of a planet, of a field, about a pivot.</summary>
         IsGravity = 256,
 
-        /// <summary>Is damping: takes the same share of a fast velocity and of a slow one.</summary>
+        /// <summary>Is damping: multiplies any velocity by the same factor.</summary>
         IsDamping = 512,
 
-        /// <summary>Is drag: what a medium does to a body that moves through it, wind too.</summary>
+        /// <summary>Is drag: the force of a medium on a body that moves through it, including wind.</summary>
         IsDrag = 1024,
 
-        /// <summary>Acts once at the end of each step, whatever its length: what it does in a second depends on the number of steps.</summary>
+        /// <summary>Acts once at the end of each step, whatever its length: the effect over a second depends on the number of steps.</summary>
         OncePerStep = 2048,
     }
 

@@ -1,11 +1,11 @@
 namespace RigidBodyDynamics
 {
-    /// <summary>What an effect may implement besides if a body swings by it: explain then says in which steps it stays bounded.</summary>
+    /// <summary>May be implemented by an effect under which a body oscillates: explain then names the step lengths for which it stays bounded.</summary>
     public interface ISwing
     {
         /// <summary>
-        /// The step, s, below which the swing stays bounded by a rule that pushes and moves in turn (Splitting, Exact, LabEuler):
-        /// 2/ω, ω the angular frequency.
+        /// The step length, s, below which the oscillation stays bounded for an integrator that alternates pushes and motion (Splitting,
+        /// Exact, LabEuler): 2/ω, ω the angular frequency.
         /// </summary>
         double LongestStableStep(MassProperties mass);
     }

@@ -1,6 +1,6 @@
 namespace RigidBodyDynamics
 {
-    /// <summary>When something acts: the step it belongs to, and the time.</summary>
+    /// <summary>A time, and the number of the step that contains it.</summary>
     public readonly struct Instant
     {
         /// <summary>Number of the step, from 0.</summary>
@@ -10,12 +10,12 @@ namespace RigidBodyDynamics
         public readonly double Time;
 
         /// <summary>
-        /// True while time stands still: a composition of higher order lets it pass with the drift alone, so that what
-        /// depends on it acts with its value at this instant, however long.
+        /// True while time is held: a composition of higher order lets it pass during the drift alone, so a push that
+        /// depends on it acts with its value at this instant, for any duration.
         /// </summary>
         public readonly bool IsHeld;
 
-        /// <summary>True where a sum goes through its pushes from the last to the first, the mirror image of the way before.</summary>
+        /// <summary>True where a sum applies its pushes from the last to the first, the mirror image of the other order.</summary>
         public readonly bool IsReversed;
 
         /// <summary>A time within a step.</summary>
@@ -27,7 +27,7 @@ namespace RigidBodyDynamics
             IsReversed = isReversed;
         }
 
-        /// <summary>The same time, with sums gone through from the last to the first.</summary>
+        /// <summary>The same time, with the pushes of a sum from the last to the first.</summary>
         public Instant Reversed => new Instant(Step, Time, IsHeld, true);
 
         /// <summary>A later time within the same step.</summary>

@@ -63,7 +63,7 @@ namespace RigidBodyDynamics
                 _force.AddTo(ref impulse.Force, duration);
         }
 
-        /// <summary>In words.</summary>
+        /// <summary>The effect in words, for messages and explain.</summary>
         public override string ToString() => "key " + _key;
     }
 }

@@ -1,6 +1,6 @@
 namespace RigidBodyDynamics
 {
-    /// <summary>Which of the lab's keys a program finds held, set between steps. Keep it to change it.</summary>
+    /// <summary>The lab's keys that are held, as the program sets them between steps. Keep a reference to change it.</summary>
     public sealed class LabKeyboard
     {
         private readonly bool[] _held = new bool[HeldKeys.Count];
@@ -32,7 +32,7 @@ namespace RigidBodyDynamics
 
         public void At(in Instant now, in BodyState body, MassProperties mass, ref Wrench wrench)
         {
-            // default(HeldKeys) is nobody's
+            // default(HeldKeys) has no keyboard
             for (int key = 0; key < Count && _keyboard != null; key++)
             {
                 if (_keyboard.Holds(key))
@@ -49,7 +49,7 @@ namespace RigidBodyDynamics
             }
         }
 
-        /// <summary>In words.</summary>
+        /// <summary>The effect in words, for messages and explain.</summary>
         public override string ToString() => "keys held on the keyboard";
 
         private static KeyPush[] MakeKeys()

@@ -1,6 +1,6 @@
 namespace RigidBodyDynamics
 {
-    /// <summary>Nothing pushes, over a time that is one closed form however long it is: a rule may take it more exactly than a step.</summary>
+    /// <summary>No push, over a time in one closed form of any length: an integrator may compute it more exactly than a step.</summary>
     internal struct Leap : IPush
     {
         public EffectTraits Traits => EffectTraits.None;

@@ -12,7 +12,7 @@ namespace RigidBodyDynamics
 
         public void AddTo(ref Coasting coasting, MassProperties mass) => coasting.LinearDampingRate += _rate;
 
-        /// <summary>In words.</summary>
+        /// <summary>The effect in words, for messages and explain.</summary>
         public override string ToString() => "linear damping " + _rate.ToString("R", System.Globalization.CultureInfo.InvariantCulture) + " /s";
     }
 }

@@ -1,8 +1,7 @@
 namespace RigidBodyDynamics
 {
     /// <summary>
-    /// Any number of pushes behind their interface: for bodies with more of them than are worth a type of their own.
-    /// Each costs two virtual calls.
+    /// Any number of pushes behind their interface: for bodies with too many for a type of their own. Each costs two virtual calls.
     /// </summary>
     internal struct Many : IPush
     {
@@ -21,7 +20,7 @@ namespace RigidBodyDynamics
 
         public EffectTraits Traits { get; }
 
-        // default(Many) has none
+        // default(Many) has no pushes
         private int Count => _pushes == null ? 0 : _pushes.Length;
 
         public void At(in Instant now, in BodyState body, MassProperties mass, ref Wrench wrench)

@@ -2,7 +2,7 @@ using System.Runtime.CompilerServices;
 
 namespace RigidBodyDynamics
 {
-    /// <summary>The empty sum: nothing pushes, nothing is computed.</summary>
+    /// <summary>The empty sum of pushes.</summary>
     internal struct Nothing : IPush
     {
         public EffectTraits Traits => EffectTraits.HasPotential;

@@ -2,7 +2,7 @@ using System.Collections.Generic;
 
 namespace RigidBodyDynamics
 {
-    /// <summary>A force and a torque for every step, as a recording has them. Zero after the last.</summary>
+    /// <summary>A force and a torque for every step, as in a recording. Zero after the last.</summary>
     public readonly struct PerStep : IPush
     {
         private readonly Vector3d[] _force;
@@ -31,7 +31,7 @@ namespace RigidBodyDynamics
                 impulse.Torque += duration * _torque[now.Step];
         }
 
-        /// <summary>In words.</summary>
+        /// <summary>The effect in words, for messages and explain.</summary>
         public override string ToString() => "a force for each of " + Count(_force) + " steps, a torque for each of " + Count(_torque);
 
         // default(PerStep) has no lists

@@ -2,7 +2,7 @@ using System.Globalization;
 
 namespace RigidBodyDynamics
 {
-    /// <summary>Drag of a fast body in air: force −k abs(v) v.</summary>
+    /// <summary>Quadratic air drag: force −k abs(v) v.</summary>
     public readonly struct QuadraticDrag : IPush
     {
         private readonly double _k;
@@ -15,7 +15,7 @@ namespace RigidBodyDynamics
         public void At(in Instant now, in BodyState body, MassProperties mass, ref Wrench wrench) =>
             wrench.Force -= _k * body.Velocity.Length * body.Velocity;
 
-        /// <remarks>m v' = −k abs(v) v has v = v₀ / (1 + z), z = k abs(v₀) h / m: it slows and never turns back.</remarks>
+        /// <remarks>m v' = −k abs(v) v has v = v₀ / (1 + z), z = k abs(v₀) h / m: v never changes its direction.</remarks>
         public void Over(in Instant now, double duration, in BodyState body, MassProperties mass, ref Wrench impulse)
         {
             Vector3d v = body.Velocity + mass.InverseMass * impulse.Force;
@@ -23,7 +23,7 @@ namespace RigidBodyDynamics
             impulse.Force -= mass.Mass * (z / (1 + z)) * v;
         }
 
-        /// <summary>In words.</summary>
+        /// <summary>The effect in words, for messages and explain.</summary>
         public override string ToString() => "drag " + _k.ToString("R", CultureInfo.InvariantCulture) + " abs(v) v N";
     }
 }

@@ -3,7 +3,7 @@ using System.Globalization;
 
 namespace RigidBodyDynamics
 {
-    /// <summary>A spring of no length of its own, from a point of the body to a point of the world.</summary>
+    /// <summary>A spring of rest length zero, from a point of the body to a point of the world.</summary>
     public readonly struct Spring : IPush, ISwing
     {
         private readonly Vector3d _anchor;
@@ -11,8 +11,8 @@ namespace RigidBodyDynamics
         private readonly double _stiffness;
 
         /// <summary>The spring.</summary>
-        /// <param name="anchor">Where it holds the body, body frame, m.</param>
-        /// <param name="at">Where it holds on to the world, m.</param>
+        /// <param name="anchor">Its end on the body, body frame, m.</param>
+        /// <param name="at">Its end in the world, m.</param>
         /// <param name="stiffness">N/m.</param>
         public Spring(Vector3d anchor, Vector3d at, double stiffness)
         {
@@ -36,8 +36,8 @@ namespace RigidBodyDynamics
         }
 
         /// <remarks>
-        /// ω² = k (1/m + a²/I), a the arm and I the least moment. Sharp where the spring holds the centre of mass; on an arm,
-        /// for swings that are small against it.
+        /// ω² = k (1/m + a²/I), a the arm and I the least moment. Exact where the spring acts on the centre of mass; with an arm,
+        /// for oscillations that are small against it.
         /// </remarks>
         public double LongestStableStep(MassProperties mass)
         {
@@ -47,7 +47,7 @@ namespace RigidBodyDynamics
             return 2 / Math.Sqrt(_stiffness * (mass.InverseMass + (arm > 0 ? arm / least : 0)));
         }
 
-        /// <summary>In words.</summary>
+        /// <summary>The effect in words, for messages and explain.</summary>
         public override string ToString() => string.Format(
             CultureInfo.InvariantCulture, "spring {0:R} N/m from {1} to {2}", _stiffness, _anchor, _at);
     }

@@ -7,11 +7,11 @@ namespace RigidBodyDynamics
         private readonly bool _inBody;
 
         /// <summary>The torque, N m, with rate in rad/s.</summary>
-        /// <param name="constant">The part that does not change, N m.</param>
+        /// <param name="constant">The constant part, N m.</param>
         /// <param name="sine">Factor of sin(rate t), N m.</param>
         /// <param name="cosine">Factor of cos(rate t), N m.</param>
         /// <param name="rate">rad/s.</param>
-        /// <param name="inBody">True: along body axes, and turns with the body. False: along world axes.</param>
+        /// <param name="inBody">True: along body axes, rotating with the body. False: along world axes.</param>
         public Torque(Vector3d constant, Vector3d sine, Vector3d cosine, double rate, bool inBody)
         {
             _torque = new Harmonic(constant, sine, cosine, rate);
@@ -29,7 +29,7 @@ namespace RigidBodyDynamics
         public void Over(in Instant now, double duration, in BodyState body, MassProperties mass, ref Wrench impulse) =>
             _torque.Add(now.Time, now.IsHeld ? 0 : duration, duration, ref _inBody ? ref impulse.BodyTorque : ref impulse.Torque);
 
-        /// <summary>In words.</summary>
+        /// <summary>The effect in words, for messages and explain.</summary>
         public override string ToString() => "torque " + _torque + " N m, " + (_inBody ? "body axes" : "world axes");
     }
 }

@@ -1,7 +1,7 @@
 namespace RigidBodyDynamics
 {
     /// <summary>
-    /// Force and torque at an instant (N, N m), or what they give over a time (N s, N m s). Torques are about the
+    /// Force and torque at an instant (N, N m), or their impulses over a time (N s, N m s). Torques are about the
     /// centre of mass.
     /// </summary>
     public struct Wrench
@@ -12,7 +12,7 @@ namespace RigidBodyDynamics
         /// <summary>Torque in world axes.</summary>
         public Vector3d Torque;
 
-        /// <summary>Torque in body axes, beside the other: integrators that work in body axes take it as it is.</summary>
+        /// <summary>Torque in body axes, in addition to the one in world axes: integrators that work in body axes use it without a rotation.</summary>
         public Vector3d BodyTorque;
 
         /// <summary>True if no number in it is infinite or NaN.</summary>
@@ -30,7 +30,7 @@ namespace RigidBodyDynamics
         internal Wrench Times(double factor) =>
             new Wrench { Force = factor * Force, Torque = factor * Torque, BodyTorque = factor * BodyTorque };
 
-        /// <summary>A body once this has acted on it as an impulse: in the same place, with v + F / m and ω + I⁻¹ τ.</summary>
+        /// <summary>The state of a body after this as an impulse: the same pose, with v + F / m and ω + I⁻¹ τ.</summary>
         public BodyState AppliedTo(BodyState body, MassProperties mass)
         {
             Quaterniond principal = (body.Orientation * Guard.NotNull(mass, nameof(mass)).PrincipalFrame).Normalized;

@@ -3,8 +3,8 @@ using System;
 namespace RigidBodyDynamics
 {
     /// <summary>
-    /// A body in motion: the handle that <see cref="Simulation.Add(BodyDescription)"/> gives. It knows when its body has been removed, and is never
-    /// another's.
+    /// A body in motion: the handle that <see cref="Simulation.Add(BodyDescription)"/> returns. After removal the handle says so, and is
+    /// never reused for another body.
     /// </summary>
     public sealed class Body
     {
@@ -15,24 +15,24 @@ namespace RigidBodyDynamics
         /// <summary>Its name.</summary>
         public string Name => Plan.Asked.Name;
 
-        /// <summary>Mass and inertia, as they are now.</summary>
+        /// <summary>Its mass and inertia at the present step.</summary>
         public MassProperties Mass => Plan.ChangesMass ? Plan.Asked.Mass.Times(Plan.MassRatioAt(Simulation.StepsDone)) : Plan.Asked.Mass;
 
-        /// <summary>What its motion consists of from when it was last planned, and what was left out.</summary>
+        /// <summary>The parts of its motion since it was last planned, and what was left out.</summary>
         internal BodyPlan Plan => Mover.Plan;
 
-        /// <summary>The rule by which it moves.</summary>
+        /// <summary>The integrator by which it moves.</summary>
         public Rule Rule => Plan.Rule;
 
-        /// <summary>Whatever the program wants to find again with the body.</summary>
+        /// <summary>An object of the program's choice.</summary>
         public object Tag { get; set; }
 
         /// <summary>True once it has been removed.</summary>
         public bool IsRemoved => Index < 0;
 
         /// <summary>
-        /// Where it is and how it moves now. A body that coasts is computed when this is read, so two threads must not
-        /// read one body at the same time. What is set holds from now on; between two steps there is no way to it.
+        /// Its present state. A body that coasts is computed when this is read, so two threads must not read one body at the same
+        /// time. A state that is set is valid from now on; <see cref="Between"/> has no path to it.
         /// </summary>
         /// <exception cref="InvalidOperationException">The body has been removed, or an effect sets a state.</exception>
         public BodyState State
@@ -43,7 +43,7 @@ namespace RigidBodyDynamics
                 Mover mover = Changing();
                 Plan.Asked.Check(value);
                 Omissions needs = BodyPlan.Needs(value);
-                // first of all: a body that has run away has no state from which to go on
+                // first, because a body that has diverged has no state to continue from
                 mover.Set(this, value);
                 if ((needs & mover.Plan.LeftOut) != 0)
                 {
@@ -55,10 +55,10 @@ namespace RigidBodyDynamics
             }
         }
 
-        /// <summary>True while its rule has put it to sleep.</summary>
+        /// <summary>True while its integrator has put it to sleep.</summary>
         public bool IsAsleep => Here().IsAsleep(this);
 
-        /// <summary>True while nothing is computed for it until its state is read: it sleeps, or coasts along a closed form.</summary>
+        /// <summary>True while nothing is computed until its state is read: it sleeps, or coasts by a closed form.</summary>
         public bool IsDormant => Here().IsDormant(this);
 
         /// <summary>Kinetic energy of the translation and the rotation, J.</summary>
@@ -69,7 +69,7 @@ namespace RigidBodyDynamics
 
         internal Simulation Simulation { get; }
 
-        /// <summary>What moves it until it is planned anew.</summary>
+        /// <summary>Moves it until it is planned anew.</summary>
         internal Mover Mover
         {
             get => _mover;
@@ -84,22 +84,22 @@ namespace RigidBodyDynamics
         /// <summary>Its place in <see cref="Simulation.Bodies"/>; −1 once it has been removed.</summary>
         internal int Index { get; set; } = -1;
 
-        /// <summary>Its place among the dormant bodies that an effect will wake; −1 if it is none.</summary>
+        /// <summary>Its place among the dormant bodies that an effect will wake; −1 if it is not among them.</summary>
         internal int PlaceInQueue { get; set; } = -1;
 
-        /// <summary>True while it is among those that are stepped.</summary>
+        /// <summary>True while it is among the bodies that are stepped.</summary>
         internal bool IsStepped { get; set; }
 
-        /// <summary>Its place among those that are moved together.</summary>
+        /// <summary>Its place in its batch.</summary>
         internal int Place { get; set; }
 
         /// <summary>
-        /// The state in the last step: at its beginning for 0, at its end for 1. A body that coasted is followed along its exact
-        /// motion; any other goes from pose to pose (orientation by slerp, centre of mass by Hermite's cubic). Until this is asked for
-        /// the first time the last step is not kept: a body that is changed after that step stands in its last state.
+        /// The state during the last step: at its beginning for 0, at its end for 1. A body that coasted is evaluated on its exact
+        /// motion; any other is interpolated between its poses (orientation by slerp, centre of mass by Hermite's cubic). Before the
+        /// first call the last step is not stored: a body that was changed after that step then has its last state.
         /// </summary>
         /// <param name="alpha">0 to 1, for instance <see cref="Simulation.Alpha"/>.</param>
-        /// <remarks>A body that is stored with others leaves them when this is called first, and allocates.</remarks>
+        /// <remarks>The first call moves a body that is stored with others to storage of its own, and allocates.</remarks>
         public BodyState Between(double alpha)
         {
             if (!(alpha >= 0 && alpha <= 1))
@@ -109,41 +109,41 @@ namespace RigidBodyDynamics
         }
 
         /// <summary>
-        /// Pushes with a force (N) at the centre of mass during the next step. If that step does not lead to a finite state, what was
-        /// applied to the body for it is forgotten.
+        /// Applies a force (N) at the centre of mass during the next step. If that step leads to no finite state, the load on the
+        /// body is dropped.
         /// </summary>
         public void ApplyForce(Vector3d force, bool inBody = false) =>
             AddLoad(Load.Of(Guard.Finite(force, nameof(force)), Vector3d.Zero, inBody));
 
         /// <summary>
-        /// Pushes with a force (N) at a point (m) during the next step. In world axes force and torque stay as they are now for the
-        /// whole step; in body axes both turn with the body.
+        /// Applies a force (N) at a point (m) during the next step. In world axes force and torque stay constant for the whole step;
+        /// in body axes both rotate with the body.
         /// </summary>
         public void ApplyForce(Vector3d force, Vector3d point, bool inBody = false) =>
             AddLoad(Load.Of(Guard.Finite(force, nameof(force)), Arm(point, inBody), inBody));
 
-        /// <summary>Turns with a torque (N m) during the next step.</summary>
+        /// <summary>Applies a torque (N m) during the next step.</summary>
         public void ApplyTorque(Vector3d torque, bool inBody = false) =>
             AddLoad(new Load { Wrench = Turn(Guard.Finite(torque, nameof(torque)), inBody) });
 
-        /// <summary>Gives an impulse (N s) at the centre of mass, now.</summary>
+        /// <summary>Applies an impulse (N s) at the centre of mass, now.</summary>
         public void ApplyImpulse(Vector3d impulse, bool inBody = false) =>
             Push(Load.Of(Guard.Finite(impulse, nameof(impulse)), Vector3d.Zero, inBody));
 
-        /// <summary>Gives an impulse (N s) at a point (m), now.</summary>
+        /// <summary>Applies an impulse (N s) at a point (m), now.</summary>
         public void ApplyImpulse(Vector3d impulse, Vector3d point, bool inBody = false) =>
             Push(Load.Of(Guard.Finite(impulse, nameof(impulse)), Arm(point, inBody), inBody));
 
-        /// <summary>Gives an angular impulse (N m s), now.</summary>
+        /// <summary>Applies an angular impulse (N m s), now.</summary>
         public void ApplyAngularImpulse(Vector3d impulse, bool inBody = false) =>
             Push(new Load { Wrench = Turn(Guard.Finite(impulse, nameof(impulse)), inBody) });
 
         /// <summary>
-        /// From now on it is another body in the same place: other mass, rule or effects. Its start is not looked at; times of
-        /// effects are those of the simulation, which goes on.
+        /// Replaces the body by another at the same pose: other mass, integrator or effects. Its start is not used; times of effects
+        /// are those of the simulation, which continues.
         /// </summary>
-        /// <param name="description">What it is from now on.</param>
-        /// <param name="keeping">What goes on where mass or inertia change.</param>
+        /// <param name="description">The description from now on.</param>
+        /// <param name="keeping">What is conserved where mass or inertia change.</param>
         public void Change(BodyDescription description, Keeping keeping = Keeping.Velocity)
         {
             Guard.NotNull(description, nameof(description));
@@ -153,7 +153,7 @@ namespace RigidBodyDynamics
             Simulation.Sort(this);
         }
 
-        /// <summary>In words.</summary>
+        /// <summary>Its name, and whether it is removed.</summary>
         public override string ToString() => "body \"" + Name + "\"" + (IsRemoved ? " (removed)" : string.Empty);
 
         private void Push(in Load load)
@@ -170,7 +170,7 @@ namespace RigidBodyDynamics
             Simulation.Sort(this);
         }
 
-        /// <summary>What moves it, with nothing left out that a load needs.</summary>
+        /// <summary>The mover of a body from which nothing is left out that a load needs.</summary>
         private Mover Ready(in Load load)
         {
             Mover mover = Changing();

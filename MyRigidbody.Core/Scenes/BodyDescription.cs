@@ -2,19 +2,19 @@ using System.Collections.Generic;
 
 namespace RigidBodyDynamics
 {
-    /// <summary>A body of a scene: what it is, how it starts, what acts on it, and by which rule it moves.</summary>
+    /// <summary>A body of a scene: its mass properties, its start, the effects on it, and its integrator.</summary>
     public sealed class BodyDescription
     {
-        // every stretch of time holds its own sum, so memory goes with the square
+        // every stretch of time holds its own sum, so memory grows with the square
         private const int MostEffects = 1000;
 
-        // of an angular velocity about a locked axis, that of the rest; as floats hold it, and as doubles do
+        // limits for an angular velocity about a locked axis, relative to the whole: the rounding of floats, and that of doubles
         private const double RoundedToSingle = 1e-5, Rounded = 1e-12, Denormal = 1e-30;
         private readonly List<Effect> _effects = new List<Effect>();
         private BodyState _start = BodyState.AtRest;
         private Vector3d? _inBody;
 
-        /// <summary>A body at rest at the origin, on which nothing acts.</summary>
+        /// <summary>A body at rest at the origin, without effects.</summary>
         /// <param name="name">Unique in its scene.</param>
         /// <param name="mass">Mass and inertia, for instance of <see cref="Solids"/> or <see cref="PointMasses"/>.</param>
         public BodyDescription(string name, MassProperties mass)
@@ -29,7 +29,7 @@ namespace RigidBodyDynamics
         /// <summary>Mass and inertia.</summary>
         public MassProperties Mass { get; }
 
-        /// <summary>The rule by which it moves: one of <see cref="Rules"/>, or your own.</summary>
+        /// <summary>The integrator by which it moves: one of <see cref="Rules"/>, or your own.</summary>
         public Rule Rule { get; set; } = Rules.Default;
 
         /// <summary>The state at time zero.</summary>
@@ -44,8 +44,8 @@ namespace RigidBodyDynamics
         }
 
         /// <summary>
-        /// The angular velocity at time zero in body axes, rad/s. Set after <see cref="Start"/>, whose own it replaces: rules that
-        /// hold it in body axes then start with these very numbers, and a tiny component beside a large one keeps its digits.
+        /// The angular velocity at time zero in body axes, rad/s. Set it after <see cref="Start"/>, whose value it replaces: integrators
+        /// that work in body axes then start with exactly these numbers, and a tiny component beside a large one keeps its digits.
         /// </summary>
         public Vector3d AngularVelocityInBody
         {
@@ -59,17 +59,17 @@ namespace RigidBodyDynamics
 
         internal Vector3d? GivenInBody => _inBody;
 
-        /// <summary>Axes along which it cannot move and about which it cannot turn.</summary>
+        /// <summary>Axes along which it cannot move and about which it cannot rotate.</summary>
         public Locks Lock { get; set; }
 
-        /// <summary>Short for no and for all of <see cref="Locks.Move"/>.</summary>
+        /// <summary>False if all of <see cref="Locks.Move"/> is locked; setting it locks all or nothing of it.</summary>
         public bool CanMove
         {
             get => (Lock & Locks.Move) != Locks.Move;
             set => Lock = value ? Lock & ~Locks.Move : Lock | Locks.Move;
         }
 
-        /// <summary>Short for no and for all of <see cref="Locks.Turn"/>.</summary>
+        /// <summary>False if all of <see cref="Locks.Turn"/> is locked; setting it locks all or nothing of it.</summary>
         public bool CanTurn
         {
             get => (Lock & Locks.Turn) != Locks.Turn;
@@ -82,7 +82,7 @@ namespace RigidBodyDynamics
         /// <summary>For <c>UnityRigidbody</c>.</summary>
         public UnitySettings Unity { get; set; } = new UnitySettings();
 
-        /// <summary>What acts on it. What is not here is not computed.</summary>
+        /// <summary>The effects on it. An effect that is not listed is not computed.</summary>
         public IReadOnlyList<Effect> Effects => _effects;
 
         /// <summary>Adds a push, for all time or for a part of it (s).</summary>
@@ -100,14 +100,14 @@ namespace RigidBodyDynamics
             return this;
         }
 
-        /// <summary>Lets the mass grow or fall, for all time or for a part of it (s); it is <see cref="Mass"/> when the body comes into a simulation.</summary>
+        /// <summary>Lets the mass grow or fall, for all time or for a part of it (s); <see cref="Mass"/> is its value when the body is added to a simulation.</summary>
         public BodyDescription With(MassRate rate, double from = 0, double to = double.PositiveInfinity)
         {
             _effects.Add(new PlainEffect(rate, from, to));
             return this;
         }
 
-        /// <summary>Adds an impulse at the beginning of the first step that starts at a time (s) or after it.</summary>
+        /// <summary>Adds an impulse at the beginning of the first step that starts at or after a time (s).</summary>
         public BodyDescription With(Impulse impulse, double time)
         {
             _effects.Add(new ImpulseEffect(impulse, time));
@@ -121,7 +121,7 @@ namespace RigidBodyDynamics
             return this;
         }
 
-        /// <summary>The same body under another name and with other mass properties; the effects may then differ.</summary>
+        /// <summary>A copy with another name and other mass properties; its effects can be changed separately.</summary>
         public BodyDescription Copy(string name, MassProperties mass)
         {
             BodyDescription copy = new BodyDescription(name, mass)
@@ -137,14 +137,14 @@ namespace RigidBodyDynamics
             return copy;
         }
 
-        /// <summary>Takes away the effects for which the condition holds.</summary>
+        /// <summary>Removes the effects for which the condition holds.</summary>
         public BodyDescription Without(System.Predicate<Effect> condition)
         {
             _effects.RemoveAll(condition);
             return this;
         }
 
-        /// <summary>True if they differ in their starts alone.</summary>
+        /// <summary>True if the two differ only in their starts.</summary>
         internal bool IsLike(BodyDescription other)
         {
             bool isLike = Name == other.Name && Mass == other.Mass && Rule == other.Rule && Lock == other.Lock
@@ -157,14 +157,14 @@ namespace RigidBodyDynamics
 
         internal int IndexOf(Effect effect) => _effects.IndexOf(effect);
 
-        /// <summary>Refuses, by name and value, what only shows when all has been said. A simulation does so before it begins.</summary>
+        /// <summary>Refuses, by name and value, combinations that no single setter can refuse. A simulation calls it before it begins.</summary>
         public void Check()
         {
             CheckAllElse();
             Check(Start);
         }
 
-        /// <summary>The same of all but its start.</summary>
+        /// <summary>The same without the start.</summary>
         internal void CheckAllElse()
         {
             Guard.NotNull(Rule, nameof(Rule));
@@ -174,7 +174,7 @@ namespace RigidBodyDynamics
                 throw Guard.Refused("effects", _effects.Count, "must be at most " + MostEffects);
         }
 
-        /// <summary>Refuses a state that such a body cannot have.</summary>
+        /// <summary>Refuses a state that this body cannot have.</summary>
         internal void Check(in BodyState state)
         {
             Guard.Finite(state.Position, "position");

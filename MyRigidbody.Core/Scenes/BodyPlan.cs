@@ -3,20 +3,20 @@ using System.Collections.Generic;
 
 namespace RigidBodyDynamics
 {
-    /// <summary>What a plan may leave out because the motion is the same without.</summary>
+    /// <summary>What a plan may leave out where the motion is the same without it.</summary>
     [Flags]
     internal enum Omissions
     {
-        /// <summary>Everything is computed, step by step.</summary>
+        /// <summary>Nothing is left out: every step is computed in full.</summary>
         None = 0,
 
-        /// <summary>The rotation of a body that starts without spin and never feels a torque.</summary>
+        /// <summary>The rotation of a body that starts without angular velocity and never has a torque.</summary>
         Rotation = 1,
 
-        /// <summary>The translation of a body that starts at rest and never feels a force or gravity.</summary>
+        /// <summary>The translation of a body that starts at rest and never has a force or gravity.</summary>
         Translation = 2,
 
-        /// <summary>The steps of a body on which nothing acts but gravity, constant forces and damping, while nobody looks.</summary>
+        /// <summary>The steps of a body under gravity, constant forces and damping alone, until its state is read.</summary>
         Coasting = 4,
 
         /// <summary>All of them.</summary>
@@ -24,8 +24,8 @@ namespace RigidBodyDynamics
     }
 
     /// <summary>
-    /// What a body's motion consists of, read once from its description: what is here runs, and what runs is here. A body that
-    /// is changed gets another.
+    /// The parts of a body's motion, read once from its description: the plan contains exactly what runs. A body that
+    /// is changed gets a new plan.
     /// </summary>
     internal sealed class BodyPlan
     {
@@ -57,35 +57,35 @@ namespace RigidBodyDynamics
         /// <summary>How its time is divided.</summary>
         public TimeSteps Steps { get; }
 
-        /// <summary>The rule by which it moves.</summary>
+        /// <summary>The integrator by which it moves.</summary>
         public Rule Rule { get; }
 
         /// <summary>The stretches of time in which the same effects act, one after another.</summary>
         public IReadOnlyList<StretchPlan> Stretches { get; }
 
-        /// <summary>Rotation or translation, where the body has neither though it could.</summary>
+        /// <summary>Rotation or translation, where it is left out though the body is free to have it.</summary>
         public Omissions LeftOut { get; }
 
-        /// <summary>The body as its integrator gets it: it cannot do what it never does.</summary>
+        /// <summary>The body as the integrator gets it, with all locked that is left out.</summary>
         internal BodyDescription Body { get; }
 
         /// <summary>The body as the scene describes it.</summary>
         public BodyDescription Asked { get; }
 
-        /// <summary>What the locks do that leave some axes free, if the rule does not do it; else null.</summary>
+        /// <summary>The treatment of locks that leave some axes free, where the integrator does not treat them; else null.</summary>
         internal Bearing Bearing { get; }
 
         internal Omissions MayLeaveOut { get; }
 
-        /// <summary>What a body in a state has, whatever acts on it.</summary>
+        /// <summary>The parts of the motion that a state needs, whatever acts on the body.</summary>
         internal static Omissions Needs(in BodyState state) =>
             (state.Velocity.IsZero ? 0 : Omissions.Translation) | (state.AngularVelocity.IsZero ? 0 : Omissions.Rotation);
 
-        /// <summary>Rotation or translation, where a body at rest has neither from a step on though it could.</summary>
+        /// <summary>Rotation or translation, where a body at rest has neither from a step on though it is free to.</summary>
         internal Omissions CanLeaveOut(long step)
         {
             bool moves = !Asked.CanMove, turns = !Asked.CanTurn;
-            // no enumerator: it is asked for every body that comes, and must not allocate
+            // no enumerator, because this runs for every body that is added, and must not allocate
             for (int i = Stretches.Count - 1; i >= 0 && Stretches[i].End > step; i--)
             {
                 moves |= (Stretches[i].Does & EffectTraits.Moves) != 0 || !Stretches[i].Coasting.Acceleration.IsZero;
@@ -100,17 +100,17 @@ namespace RigidBodyDynamics
             return MayLeaveOut & ((turns ? 0 : Omissions.Rotation) | (moves ? 0 : Omissions.Translation));
         }
 
-        /// <summary>True if it is the plan of a body that starts at a step, too.</summary>
+        /// <summary>True if it is also the plan of a body that starts at a step.</summary>
         internal bool HoldsFrom(long step) =>
             (ChangesMass ? step == Stretches[0].First : step >= Stretches[0].First) && (!ChangesAfter(step - 1) || Steps.Division.Equals(_division));
 
         /// <summary>True if an effect begins or ends after a step.</summary>
         internal bool ChangesAfter(long step) => Stretches[Stretches.Count - 1].First > step;
 
-        /// <summary>True if its mass is not always that which it began with.</summary>
+        /// <summary>True if the mass changes.</summary>
         internal bool ChangesMass { get; }
 
-        /// <summary>The mass before a step, as a part of that which it began with.</summary>
+        /// <summary>The mass before a step, as a part of the first mass.</summary>
         internal double MassRatioAt(long step)
         {
             int i = Stretches.Count - 1;
@@ -120,12 +120,12 @@ namespace RigidBodyDynamics
             return Stretches[i].MassCourse?.At(Steps.StartOf(step)) ?? 1;
         }
 
-        /// <summary>True if impulses are given at any time.</summary>
+        /// <summary>True if there are impulses at any time.</summary>
         internal bool HasImpulses { get; }
 
         internal bool MayCoast => (MayLeaveOut & Omissions.Coasting) != 0;
 
-        /// <summary>True if something pushes it at any time.</summary>
+        /// <summary>True if there is a push at any time.</summary>
         internal bool IsPushed { get; }
     }
 }

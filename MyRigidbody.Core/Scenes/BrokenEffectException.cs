@@ -5,7 +5,7 @@ namespace RigidBodyDynamics
 {
     /// <summary>
     /// An effect gave a force or torque that is not finite, or threw an exception (<see cref="Exception.InnerException"/>).
-    /// All bodies stand before the step in which it did.
+    /// All bodies are in their states before that step.
     /// </summary>
     public sealed class BrokenEffectException : ArithmeticException
     {
@@ -23,7 +23,7 @@ namespace RigidBodyDynamics
             Reason = Why(effect, now, thrown);
         }
 
-        /// <summary>The same of a body that is one of many.</summary>
+        /// <summary>The same for a body that is stored with others.</summary>
         internal BrokenEffectException(BrokenEffectException broken, Body handle)
             : base(Guard.OneLine("body \"" + broken.Body + "\" " + handle.Index.ToString(CultureInfo.InvariantCulture) + ": " + broken._where + broken.Reason), broken.InnerException)
         {
@@ -40,22 +40,22 @@ namespace RigidBodyDynamics
         /// <summary>Name of the body.</summary>
         public string Body { get; }
 
-        /// <summary>The body itself, where it is one of many that are stored together; null where it is not.</summary>
+        /// <summary>The body itself, where it is stored with others; null where it is not.</summary>
         public Body Handle { get; }
 
-        /// <summary>The place of <see cref="Handle"/> in <see cref="Simulation.Bodies"/>; −1 where there is none.</summary>
+        /// <summary>The index of <see cref="Handle"/> in <see cref="Simulation.Bodies"/>; −1 where there is none.</summary>
         public int Number { get; }
 
         /// <summary>The effect.</summary>
         public object Effect { get; }
 
-        /// <summary>The same with the time in which it acts, as the body's description has it.</summary>
+        /// <summary>The effect with the time in which it acts, as in the body's description.</summary>
         public Effect Entry { get; }
 
-        /// <summary>When it was asked, s.</summary>
+        /// <summary>The time of the failed evaluation, s.</summary>
         public double Time { get; }
 
-        /// <summary>The message without the place.</summary>
+        /// <summary>The message without the body, the effect and the time.</summary>
         public string Reason { get; }
 
         private static string Why(Effect effect, in Instant now, Exception thrown) => Guard.OneLine(string.Format(

@@ -1,6 +1,6 @@
 namespace RigidBodyDynamics
 {
-    /// <summary>An effect of a scene, and when it acts: during the steps that start at From ≤ t &lt; To; an impulse at From, which is To.</summary>
+    /// <summary>An effect of a scene, and its time: the steps that start at From ≤ t &lt; To; for an impulse From equals To.</summary>
     public abstract class Effect
     {
         internal Effect(double from, double to)
@@ -20,12 +20,12 @@ namespace RigidBodyDynamics
         /// <summary>The <see cref="IPush"/>, <see cref="ICoast"/> or <see cref="Impulse"/> itself.</summary>
         public abstract IEffect Motion { get; }
 
-        /// <summary>The same where a body coasts with it; null for a push that depends on the time or the orientation.</summary>
+        /// <summary>The effect as one with a closed form; null for a push that depends on time or orientation.</summary>
         internal ICoast Coast =>
             Motion is IPush && (Motion.Traits & (EffectTraits.ReadsTime | EffectTraits.ReadsOrientation)) != 0 ? null : Motion as ICoast;
     }
 
-    /// <summary>An effect that is no push: a body coasts with it, or loses mass.</summary>
+    /// <summary>An effect without a force of its own: it has a closed form, or changes the mass.</summary>
     internal sealed class PlainEffect : Effect
     {
         public PlainEffect(IEffect motion, double from, double to) : base(from, to) => Motion = motion;
@@ -43,20 +43,20 @@ namespace RigidBodyDynamics
         public override IEffect Motion => Impulse;
     }
 
-    /// <summary>An effect that pushes, its type forgotten.</summary>
+    /// <summary>A push, behind its interface.</summary>
     internal abstract class PushEffect : Effect
     {
         protected PushEffect(double from, double to) : base(from, to) { }
 
         public abstract IPush Push { get; }
 
-        /// <summary>Remembers the type: adds this effect to a sum and goes on with the next.</summary>
+        /// <summary>Adds this push, with its type, to a sum and continues with the next.</summary>
         public abstract Stretch<TIntegrator> Join<TIntegrator, TSum>(TSum sum, StretchBuilder<TIntegrator> builder, int next)
             where TIntegrator : struct, IIntegrator
             where TSum : struct, IPush;
     }
 
-    /// <summary>An effect that pushes, its type known.</summary>
+    /// <summary>A push with its type.</summary>
     internal sealed class PushEffect<TPush> : PushEffect where TPush : struct, IPush
     {
         private readonly TPush _push;

@@ -6,8 +6,8 @@ using System.Text;
 namespace RigidBodyDynamics
 {
     /// <summary>
-    /// A plan in words: what a body's motion consists of, what was left out and why. Made of the plan that runs, so that
-    /// it cannot say something else.
+    /// A plan in words: the parts of a body's motion, what was left out and why. Made from the plan that runs, so that the two
+    /// cannot differ.
     /// </summary>
     public sealed class Explanation
     {
@@ -15,7 +15,7 @@ namespace RigidBodyDynamics
         private readonly List<Omission> _leftOut = new List<Omission>();
         private readonly List<string> _notes = new List<string>();
 
-        /// <summary>Of a body as it moves now.</summary>
+        /// <summary>Explains a body as it moves now.</summary>
         public Explanation(Body body) : this(Guard.NotNull(body, nameof(body)).Plan) { }
 
         internal Explanation(BodyPlan plan)
@@ -25,15 +25,15 @@ namespace RigidBodyDynamics
             LookAtSwings();
         }
 
-        /// <summary>What is not computed, and behind it in brackets why the motion is the same without.</summary>
+        /// <summary>The parts that are not computed, each with the reason, in brackets, why the motion is the same without it.</summary>
         public IReadOnlyList<string> LeftOut => _leftOut.ConvertAll(omission => omission.ToString());
 
         internal IReadOnlyList<Omission> Omitted => _leftOut;
 
-        /// <summary>What one should know besides.</summary>
+        /// <summary>Remarks on the result.</summary>
         public IReadOnlyList<string> Notes => _notes;
 
-        /// <summary>What the motion consists of in a stretch of time, part by part.</summary>
+        /// <summary>The parts of the motion in a stretch of time.</summary>
         internal IReadOnlyList<string> Parts(StretchPlan stretch)
         {
             List<string> parts = new List<string>();
@@ -69,10 +69,10 @@ namespace RigidBodyDynamics
             return parts;
         }
 
-        /// <summary>True if the steps of a stretch are not taken until somebody looks.</summary>
+        /// <summary>True if the steps of a stretch are not taken until the state is read.</summary>
         internal bool Coasts(StretchPlan stretch) => _plan.MayCoast && _plan.Rule.Coasts(_plan.Body, stretch);
 
-        /// <summary>From when to when a stretch lasts.</summary>
+        /// <summary>The time of a stretch.</summary>
         internal string Time(StretchPlan stretch)
         {
             string from = stretch.Starts.ToString("R", CultureInfo.InvariantCulture) + " s";
@@ -82,7 +82,7 @@ namespace RigidBodyDynamics
             return from + " to " + stretch.Ends.ToString("R", CultureInfo.InvariantCulture) + " s";
         }
 
-        /// <summary>All of it, line by line.</summary>
+        /// <summary>The whole explanation, line by line.</summary>
         public override string ToString()
         {
             const int MostStretches = 20;
@@ -183,12 +183,12 @@ namespace RigidBodyDynamics
 
         private static BodyDescription Copy(BodyDescription body) => body.Copy(body.Name, body.Mass);
 
-        /// <summary>The same body with moments that differ, as far as a body's can.</summary>
+        /// <summary>The same body with moments that differ, as far as its moments allow.</summary>
         private static BodyDescription ThreeMoments(BodyDescription body)
         {
             Vector3d i = body.Mass.PrincipalMoments;
             double least = Math.Min(i.X, Math.Min(i.Y, i.Z));
-            // a little more mass to both sides of two planes: whatever that makes of them is a body
+            // a little more mass on both sides of two planes, so that the new moments are those of a possible body
             Vector3d moments = i + least * new Vector3d(0.2, 0.1, 0.3);
             return body.Copy(body.Name, MassProperties.FromPrincipal(body.Mass.Mass, moments, body.Mass.PrincipalFrame, body.Mass.CenterOfMass));
         }

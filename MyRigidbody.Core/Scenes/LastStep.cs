@@ -1,16 +1,16 @@
 namespace RigidBodyDynamics
 {
-    /// <summary>The last step of a body, for those who draw between two steps.</summary>
+    /// <summary>The last step of a body, for interpolation.</summary>
     internal abstract class LastStep
     {
         protected BodyState From, To;
         protected Vector3d Center;
         protected double Length;
 
-        /// <summary>The step that had just been done.</summary>
+        /// <summary>The number of steps done after it.</summary>
         public long Step { get; private set; } = -1;
 
-        /// <summary>The body went from one state to another, in some seconds.</summary>
+        /// <summary>Stores a step from one state to another, and its length.</summary>
         public void Went(long step, double length, in BodyState from, in BodyState to, Vector3d centerOfMass)
         {
             Jump(step, to);
@@ -19,7 +19,7 @@ namespace RigidBodyDynamics
             Center = centerOfMass;
         }
 
-        /// <summary>The body was put into a state: there is no way to it.</summary>
+        /// <summary>Stores a state that the program has set: there is no path to it.</summary>
         public virtual void Jump(long step, in BodyState to)
         {
             Step = step;
@@ -39,13 +39,13 @@ namespace RigidBodyDynamics
         public LastStep Copy() => (LastStep)MemberwiseClone();
     }
 
-    /// <summary>The same of a body whose rule may know the whole way.</summary>
+    /// <summary>The same for a body whose integrator may have a closed form.</summary>
     internal sealed class LastStep<TIntegrator> : LastStep where TIntegrator : struct, IIntegrator
     {
         private TIntegrator _motion;
         private Stretch<TIntegrator> _coasted;
 
-        /// <summary>The body coasted: it goes back on its own way.</summary>
+        /// <summary>Stores a step of a body that coasted: it is evaluated backwards on the closed form.</summary>
         public void Coasted(long step, double length, in TIntegrator motion, Stretch<TIntegrator> stretch)
         {
             Went(step, length, motion.State, motion.State, Vector3d.Zero);

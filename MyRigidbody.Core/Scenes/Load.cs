@@ -2,23 +2,23 @@ using System;
 
 namespace RigidBodyDynamics
 {
-    /// <summary>What a program pushes one body with during one step.</summary>
+    /// <summary>The load: force and torque that a program applies to one body during one step.</summary>
     internal struct Load
     {
         /// <summary>The step in which it acts.</summary>
         public long Step;
 
-        /// <summary>Force and torque at the centre of mass, N and N m; the torque's part in body axes turns with the body.</summary>
+        /// <summary>Force and torque at the centre of mass, N and N m; the torque's part in body axes rotates with the body.</summary>
         public Wrench Wrench;
 
-        /// <summary>Force in body axes at the centre of mass, N: it turns with the body.</summary>
+        /// <summary>Force in body axes at the centre of mass, N: it rotates with the body.</summary>
         public Vector3d BodyForce;
 
         /// <summary>No load, in a step that never comes.</summary>
         public static Load None => new Load { Step = -1 };
 
-        /// <summary>Force and torque of a push at a point, or their impulses (N s, N m s).</summary>
-        /// <param name="push">In the axes of the world or the body.</param>
+        /// <summary>Force and torque of a force at a point, or their impulses (N s, N m s).</summary>
+        /// <param name="push">The force or impulse, in world or body axes.</param>
         /// <param name="arm">From the centre of mass to the point, m, in the same axes.</param>
         /// <param name="inBody">True for body axes, false for those of the world.</param>
         public static Load Of(Vector3d push, Vector3d arm, bool inBody)
@@ -29,7 +29,7 @@ namespace RigidBodyDynamics
                 : new Load { Wrench = new Wrench { Force = push, Torque = torque } };
         }
 
-        /// <summary>The sum with another, on a body.</summary>
+        /// <summary>The sum of two loads on a body.</summary>
         public Load With(in Load more, BodyDescription body)
         {
             Load sum = this;
@@ -42,7 +42,7 @@ namespace RigidBodyDynamics
                 : throw new OverflowException("body \"" + body.Name + "\": the sum of what is applied in this step must be finite");
         }
 
-        /// <summary>What it needs of a body.</summary>
+        /// <summary>The parts of the motion that it needs.</summary>
         public Omissions Needs =>
             (Wrench.Force.IsZero && BodyForce.IsZero ? Omissions.None : Omissions.Translation)
             | (Wrench.Torque.IsZero && Wrench.BodyTorque.IsZero ? Omissions.None : Omissions.Rotation);
@@ -56,7 +56,7 @@ namespace RigidBodyDynamics
         }
     }
 
-    /// <summary>A load as a push: the last of a sum, in the steps that have one.</summary>
+    /// <summary>A load as a push: the last of a sum, in the steps that have a load.</summary>
     internal readonly struct Loaded : IPush
     {
         private readonly Mover _mover;

@@ -2,7 +2,7 @@ namespace RigidBodyDynamics
 {
     internal static class MassChange
     {
-        /// <summary>The state of a body once it has other mass properties.</summary>
+        /// <summary>The state of a body after its mass properties have changed.</summary>
         public static BodyState Of(BodyState state, MassProperties from, MassProperties to, Keeping keeping)
         {
             if (keeping == Keeping.Momentum)

@@ -3,18 +3,18 @@ using System;
 namespace RigidBodyDynamics
 {
     /// <summary>
-    /// How the mass of a body goes in a stretch of time, as a part of the mass m it began with: r = r₀ + r' t. The moments go with it, so
-    /// r m v' = F and r (I ω' + ω × I ω) = τ are the motion of the body as it began, under F / r and τ / r; where momentum is kept, under −r' m v / r
-    /// and −r' I ω / r besides. So no rule knows of it: it stands behind the interface of a push.
+    /// The mass of a body over a stretch of time, as a part of its first mass m: r = r₀ + r' t. The moments change in proportion, so
+    /// r m v' = F and r (I ω' + ω × I ω) = τ are the motion of the body with its first mass, under F / r and τ / r; where momentum is kept,
+    /// under −r' m v / r and −r' I ω / r in addition. So no integrator needs to treat it: it is a push around each push.
     /// </summary>
     /// <remarks>
-    /// The mean of 1/r over a time is a logarithm and taken exactly. So where time goes on while pushes act, as by Splitting and Exact, a constant
-    /// force in world axes gives v exactly in steps of any length (a rocket's v = u ln m₀/m₁), and so does what keeps momentum; all else is of the
-    /// order of the rule.
+    /// The mean of 1/r over a time is a logarithm, computed exactly. So where time passes while pushes act, as in Splitting and Exact, a
+    /// constant force in world axes gives v exactly in steps of any length (a rocket's v = u ln m₀/m₁), and so does the term that keeps
+    /// momentum; every other push has the order of the integrator.
     /// </remarks>
     internal sealed class MassCourse
     {
-        // below this, (b − a)/(b + a), a logarithm is its series
+        // below this (b − a)/(b + a), a logarithm is computed by its series
         private const double Near = 0.05;
 
         [ThreadStatic]
@@ -22,8 +22,8 @@ namespace RigidBodyDynamics
 
         private readonly double _starts, _rate, _shed;
 
-        /// <param name="starts">When the stretch starts, s.</param>
-        /// <param name="ratio">The part that there is then.</param>
+        /// <param name="starts">The start of the stretch, s.</param>
+        /// <param name="ratio">The part of the mass at that time.</param>
         /// <param name="rate">Its rate, 1/s.</param>
         /// <param name="shed">The part of the rate that keeps momentum, 1/s.</param>
         public MassCourse(double starts, double ratio, double rate, double shed)
@@ -35,16 +35,16 @@ namespace RigidBodyDynamics
             Shedding = shed == 0 ? null : new Shed(this);
         }
 
-        /// <summary>The part that there is at the start.</summary>
+        /// <summary>The part of the mass at the start.</summary>
         public double Ratio { get; }
 
-        /// <summary>What keeps the momentum, as a push on the body as it began; null where velocity is kept.</summary>
+        /// <summary>The term that keeps the momentum, as a push on the body with its first mass; null where velocity is kept.</summary>
         public IPush Shedding { get; }
 
-        /// <summary>The part that there is at a time.</summary>
+        /// <summary>The part of the mass at a time.</summary>
         public double At(double time) => Ratio + _rate * (time - _starts);
 
-        /// <summary>A push on the body as it is, as one on the body as it began.</summary>
+        /// <summary>A push on the body as it is, as one on the body with its first mass.</summary>
         public IPush On(IPush push) => new Lighter(push, this);
 
         /// <summary>The mean of 1/r over a time.</summary>
@@ -90,7 +90,7 @@ namespace RigidBodyDynamics
                 impulse = impulse.With(real.With(before.Times(-1)).Times(inverse));
             }
 
-            // written again and again, so that a step allocates nothing: a push may read it, and not keep it
+            // overwritten at every call, so that a step allocates nothing: a push may read it, but not keep it
             private static MassProperties Real(MassProperties mass, double ratio) => (_real ?? (_real = mass.Times(1))).Become(mass, ratio);
         }
 

@@ -2,24 +2,24 @@ using System;
 
 namespace RigidBodyDynamics
 {
-    /// <summary>What moves bodies, from one plan to the next: one body, or many that share a plan.</summary>
+    /// <summary>Moves bodies by one plan: one body, or many that share the plan.</summary>
     internal abstract class Mover
     {
-        /// <summary>What the program pushes with in one step: the body, or that of many which makes the step.</summary>
+        /// <summary>The load on the body for one step; of many bodies, on the one that takes the step.</summary>
         public Load Load = Load.None;
 
         protected Mover(BodyPlan plan) => Plan = plan;
 
-        /// <summary>What the motion consists of.</summary>
+        /// <summary>The plan of the motion.</summary>
         public BodyPlan Plan { get; }
 
         /// <summary>True for a mover of many bodies.</summary>
         public virtual bool HasMany => false;
 
-        /// <summary>The state of a body now.</summary>
+        /// <summary>The present state of a body.</summary>
         public abstract BodyState StateOf(Body body);
 
-        /// <summary>Gives the states of many, each to the index of its handle, and says how many they are.</summary>
+        /// <summary>Writes the states of many bodies, each to the index of its handle, and returns their number.</summary>
         public virtual int Read(BodyState[] states) => 0;
 
         public abstract bool IsAsleep(Body body);
@@ -27,10 +27,10 @@ namespace RigidBodyDynamics
         /// <summary>True while nothing is computed for a body until its state is read.</summary>
         public abstract bool IsDormant(Body body);
 
-        /// <summary>An impulse now; the pose stays.</summary>
+        /// <summary>Gives a body an impulse now; the pose does not change.</summary>
         public abstract void Push(Body body, in Wrench impulse);
 
-        /// <summary>The same of a body as its rule keeps it; one that would lose its velocity in it stays as it was.</summary>
+        /// <summary>The same for a body as its integrator's struct; one whose velocity would not stay finite is not changed.</summary>
         public void Push<TIntegrator>(ref TIntegrator body, in Wrench impulse) where TIntegrator : struct, IIntegrator
         {
             TIntegrator pushed = body;
@@ -41,7 +41,7 @@ namespace RigidBodyDynamics
             body = pushed;
         }
 
-        /// <summary>Gives a body, as its rule keeps it, the impulses with which a step begins.</summary>
+        /// <summary>Gives a body, as its integrator's struct, the impulses at the beginning of a step.</summary>
         public void Give<TIntegrator>(ref TIntegrator body, StretchPlan stretch) where TIntegrator : struct, IIntegrator
         {
             foreach (ImpulseEffect effect in stretch.Impulses)
@@ -58,32 +58,32 @@ namespace RigidBodyDynamics
             }
         }
 
-        /// <summary>Another state now.</summary>
+        /// <summary>Sets the state of a body now.</summary>
         public abstract void Set(Body body, in BodyState state);
 
-        /// <summary>Adds to what pushes a body in the next step.</summary>
+        /// <summary>Adds to the load on a body in the next step.</summary>
         public abstract void Add(Body body, in Load load);
 
-        /// <summary>A body goes.</summary>
+        /// <summary>Removes a body.</summary>
         /// <returns>True if it was the last of many.</returns>
         public virtual bool Remove(Body body) => false;
 
-        /// <summary>The mover of a body by itself; one of many leaves them, to the same bits.</summary>
+        /// <summary>The mover of a body alone; a body of many leaves the others, to the same bits.</summary>
         public abstract LoneMover Alone(Body body);
 
-        /// <summary>How far, up to a step, bodies can go so that there is still a way back.</summary>
+        /// <summary>The last step, up to a given one, to which bodies can advance and still go back.</summary>
         public virtual long Limit(long end) => end;
 
-        /// <summary>Goes on to the end of a step, or as far as the effects let it; what stopped it comes with the answer.</summary>
+        /// <summary>Advances to the end of a step, or as far as the effects let it; returns that step, and the exception that stopped it.</summary>
         public abstract long Advance(long end, ref Exception failure);
 
-        /// <summary>Back to where the last <see cref="Advance"/> began.</summary>
+        /// <summary>Goes back to where the last <see cref="Advance"/> began.</summary>
         public abstract void GoBack();
 
-        /// <summary>All bodies of the simulation have come to the end of an <see cref="Advance"/>: nobody goes back from here.</summary>
+        /// <summary>Called when all bodies of the simulation have reached the end of an <see cref="Advance"/>: none goes back from here.</summary>
         public virtual void Stay() { }
 
-        /// <summary>Comes to now: times before are not asked for again. Bodies may coast from here, or are stepped on.</summary>
+        /// <summary>Called at the end of a call: earlier times are not needed again. Bodies may coast from here, or are stepped on.</summary>
         public abstract void Arrive(bool mayCoast);
 
         public abstract object Save();
@@ -91,10 +91,10 @@ namespace RigidBodyDynamics
         public abstract void Restore(object saved);
     }
 
-    /// <summary>What moves one body.</summary>
+    /// <summary>The mover of one body.</summary>
     internal abstract class LoneMover : Mover
     {
-        /// <summary>The last step, kept from the first time that a state in it is asked for; null before.</summary>
+        /// <summary>The last step, stored from the first time that it is interpolated; null before.</summary>
         public LastStep Last;
 
         protected LoneMover(BodyPlan plan) : base(plan) { }
@@ -102,16 +102,16 @@ namespace RigidBodyDynamics
         /// <summary>The body that it moves.</summary>
         public Body Owner { get; set; }
 
-        /// <summary>The error that names the body.</summary>
+        /// <summary>The exception that names the body.</summary>
         protected StateOverflowException Lost(long step) => new StateOverflowException(Plan, step, isLoaded: Load.Step == step) { Handle = Owner };
 
-        /// <summary>The step by which the body has to be stepped again, while it is dormant.</summary>
+        /// <summary>The step up to which the body, while it is dormant, need not be stepped.</summary>
         public abstract long WakesAt { get; }
 
-        /// <summary>The states between the beginning and the end of the last step.</summary>
+        /// <summary>A state during the last step.</summary>
         public abstract BodyState Between(double alpha);
 
-        /// <summary>Goes on with the motion of another that has come to now, to its last digit, where both move it by the same numbers.</summary>
+        /// <summary>Continues the motion of another mover at the present step, with all digits, where both store the same numbers.</summary>
         public abstract void TakeOver(Mover last);
 
         public override LoneMover Alone(Body body) => this;

@@ -3,21 +3,21 @@ using System;
 namespace RigidBodyDynamics
 {
     /// <summary>
-    /// Moves a body by one rule, with a stretch of time for every sum of effects that acts on it. Where the body coasts its state
-    /// follows the clock only when it is read.
+    /// Moves a body by one integrator, with a stretch of time for every sum of effects on it. The state of a body that coasts is
+    /// computed only when it is read.
     /// </summary>
     internal sealed partial class Mover<TIntegrator> : LoneMover where TIntegrator : struct, IIntegrator
     {
-        // a copy costs as much as the shortest step; from one of a body that nothing pushes the way on is known
+        // a copy costs as much as the shortest step; without pushes the motion from any copy is known
         private const long StepsBetweenCopies = 1024;
 
         private readonly Stretch<TIntegrator>[] _stretches;
         private readonly Clock _clock;
         private Stretch<TIntegrator>[] _loaded;
-        // as the plan has them, which is elsewhere in memory
+        // copied from the plan, which is elsewhere in memory
         private readonly bool _isPushed, _givesImpulses;
         private Moment _now;
-        // null until it may be asked for
+        // null until it can be needed
         private Kept<Moment> _before;
         private long _keptAt;
 
@@ -28,14 +28,14 @@ namespace RigidBodyDynamics
             Keep();
         }
 
-        /// <summary>A body that was one of many.</summary>
+        /// <summary>The mover of a body that was stored with others.</summary>
         /// <param name="plan">Their plan.</param>
-        /// <param name="clock">Says when it is now.</param>
-        /// <param name="now">The body as it is.</param>
-        /// <param name="kept">The body as it was when it began to coast, or at some step before.</param>
+        /// <param name="clock">The clock of the simulation.</param>
+        /// <param name="now">The present state of the body.</param>
+        /// <param name="kept">Its state when it began to coast, or at an earlier step.</param>
         /// <param name="since">That step.</param>
         /// <param name="keptIn">The stretch of that step.</param>
-        /// <param name="stretch">The stretch in which it is.</param>
+        /// <param name="stretch">The present stretch.</param>
         /// <param name="coasts">Whether it coasts.</param>
         public Mover(BodyPlan plan, Clock clock, in TIntegrator now, in TIntegrator kept, long since, int keptIn, int stretch, bool coasts)
             : this(plan, clock, now, since)
@@ -64,7 +64,7 @@ namespace RigidBodyDynamics
 
         private bool IsLoaded => Load.Step == _now.Step;
 
-        /// <summary>True where the next step begins with an impulse, which the state does not have yet.</summary>
+        /// <summary>True where the next step begins with an impulse, which the state does not contain yet.</summary>
         private bool Gives => _givesImpulses && Plan.Stretches[_now.Stretch].GivesAt(_now.Step);
 
         public override BodyState StateOf(Body body)
@@ -146,7 +146,7 @@ namespace RigidBodyDynamics
         public override void Arrive(bool mayCoast)
         {
             CatchUp();
-            // what is drawn between the last two steps is what was before the change
+            // between the last two steps, the state before the change is drawn
             if (Last != null)
                 Remember();
 
@@ -172,7 +172,7 @@ namespace RigidBodyDynamics
 
         private void Changed(bool mayCoast)
         {
-            // a body that coasted to here is still in the stretch that ends here
+            // a body that coasted to this step is still in the stretch that ends here
             if (_now.Step == WakesAt && _now.Stretch + 1 < _stretches.Length)
                 _now.Stretch++;
 
@@ -242,8 +242,8 @@ namespace RigidBodyDynamics
         }
 
         /// <summary>
-        /// Lets the body lie where nothing has to be computed until its state is read: from the start of a stretch, from a step in
-        /// which the program changed it, or asleep, but not wherever a call happens to end, or the bits would depend on the calls.
+        /// Makes the body dormant where nothing has to be computed until its state is read: from the start of a stretch, from a step in
+        /// which the program changed it, or asleep. Not where a call happens to end, because bits would then depend on the calls.
         /// </summary>
         private void Settle(bool isPlace)
         {
@@ -268,13 +268,13 @@ namespace RigidBodyDynamics
             if (_now.Motion.IsFinite)
                 return;
 
-            // back to where it began to coast, so that it is said again to whoever looks next
+            // back to where it began to coast, so that the next reader gets the same exception
             _now.Motion = Anchor;
             _now.Step = _now.Anchored;
             throw Lost(LastFinite(_now, step));
         }
 
-        /// <summary>All that changes in a body.</summary>
+        /// <summary>The part of a body that changes.</summary>
         private struct Moment
         {
             public TIntegrator Motion;

@@ -1,6 +1,6 @@
 namespace RigidBodyDynamics
 {
-    /// <summary>The last step of a body that is drawn: how it came to be where it is.</summary>
+    /// <summary>Stores the last step of a body that is interpolated.</summary>
     internal sealed partial class Mover<TIntegrator>
     {
         private LastStep Remember()
@@ -23,14 +23,14 @@ namespace RigidBodyDynamics
             return Last = last;
         }
 
-        /// <summary>The step before this one was taken, though nothing pushed and the way was known: it ended a stretch, or had a length of its own.</summary>
+        /// <summary>True if the step before this one was taken without pushes and with a closed form: it ended a stretch, or had a length of its own.</summary>
         private bool HasCoasted(long step)
         {
             Stretch<TIntegrator> stretch = _stretches[_before.Value.Stretch];
             return Plan.MayCoast && stretch.End >= step && Load.Step != step - 1 && stretch.KnowsWay(_before.Value.Motion);
         }
 
-        /// <summary>The state before the last step, on the way there once more.</summary>
+        /// <summary>The state before the last step, computed once more.</summary>
         private BodyState Before(long step)
         {
             Moment now = _now;

@@ -2,10 +2,10 @@ using System;
 
 namespace RigidBodyDynamics
 {
-    /// <summary>Where a body could not go on: the same steps once more, for the step and the effect.</summary>
+    /// <summary>Repeats the steps of a body that could not go on, to find the step and the effect.</summary>
     internal sealed partial class Mover<TIntegrator>
     {
-        /// <summary>The last of the steps up to one that has no finite state at which a body that coasts still has one.</summary>
+        /// <summary>The last step, before one without a finite state, at which a body that coasts has a finite one.</summary>
         private long LastFinite(in Moment coasting, long end)
         {
             Stretch<TIntegrator> stretch = _stretches[coasting.Stretch];
@@ -26,7 +26,7 @@ namespace RigidBodyDynamics
             return low;
         }
 
-        /// <summary>The same steps once more, one by one and with every push watched: which is it, and when.</summary>
+        /// <summary>Repeats the steps one by one, with every push watched, to find the failing push and step.</summary>
         private long Retrace(long end, ref Exception failure)
         {
             Stretch<TIntegrator>[] watched = StretchBuilder<TIntegrator>.Bind(Plan, isWatched: true);
@@ -37,7 +37,7 @@ namespace RigidBodyDynamics
                 long reached = _now.Step;
                 try
                 {
-                    // a dormant body goes as far as it coasts, no push acts there; who looked may have brought it to the end of that
+                    // a dormant body goes to the end of its coasting, where no push acts; reading its state may have brought it there already
                     Run(watched, loaded, _now.IsDormant ? Math.Max(WakesAt, reached + 1) : reached + 1);
                     if (_now.Motion.IsFinite)
                         continue;
@@ -53,19 +53,19 @@ namespace RigidBodyDynamics
                 GoBack();
                 if (failure is StateOverflowException && IsLoaded)
                 {
-                    // what was applied is refused with the step, or no step would ever be possible again
+                    // the load is dropped with the step, or every later step would fail, too
                     Load = Load.None;
                     Changed(mayCoast: true);
                 }
 
-                // what coasts is not looked at in every step, so it may have been lost before this call
+                // a body that coasts is not tested in every step, so it may have been lost before this call
                 return Math.Max(reached, _clock.Step);
             }
 
             return end;
         }
 
-        // a body that coasts for ever has its anchor to go back to
+        // a body that coasts without end goes back to its anchor
         private void Keep()
         {
             _keptAt = _now.Step;

@@ -32,7 +32,7 @@ namespace RigidBodyDynamics
         internal List<SavedCrowd> Crowds { get; }
     }
 
-    /// <summary>A body as it was, and what moved it.</summary>
+    /// <summary>A body as it was, and its mover.</summary>
     internal readonly struct SavedBody
     {
         public readonly Body Body;
@@ -54,7 +54,7 @@ namespace RigidBodyDynamics
         }
     }
 
-    /// <summary>Bodies that are moved together as they were, with their places.</summary>
+    /// <summary>A batch of bodies as they were, with their places.</summary>
     internal readonly struct SavedCrowd
     {
         public readonly Mover Mover;

@@ -4,25 +4,25 @@ using System.Collections.Generic;
 namespace RigidBodyDynamics
 {
     /// <summary>
-    /// Bodies in motion. They come and go, are pushed and changed between two steps; nothing of that may be done by an effect while
-    /// a step is taken.
+    /// Bodies in motion. Between two steps a program can add, remove, push and change them; an effect may do none of this
+    /// during a step.
     /// </summary>
     public sealed partial class Simulation
     {
         private const int MostThreads = 1024;
 
         private readonly List<Body> _bodies = new List<Body>();
-        // those that are moved together, and there are any of
+        // the batches that have bodies
         private readonly List<Mover> _crowds = new List<Mover>();
         private readonly Clock _clock;
         private int _threads = Math.Min(Environment.ProcessorCount, MostThreads);
         private Turnstile _turnstile;
 
-        /// <summary>Reads the scene once: every body gets the sum of what acts on it and the step made for that sum.</summary>
-        /// <param name="scene">The scene; nothing that is changed in it later changes the simulation.</param>
+        /// <summary>Reads the scene once: every body gets the sum of its effects and the step compiled for that sum.</summary>
+        /// <param name="scene">The scene; later changes of it do not change the simulation.</param>
         public Simulation(SceneDescription scene) : this(scene, Omissions.All) { }
 
-        /// <summary>One that leaves out no more than it may, so that one can measure what that saves.</summary>
+        /// <summary>A simulation with a choice of what may be left out, so that its cost can be measured.</summary>
         internal Simulation(SceneDescription scene, Omissions mayLeaveOut)
         {
             Scene = Guard.NotNull(scene, nameof(scene));
@@ -32,21 +32,21 @@ namespace RigidBodyDynamics
                 Enter(new Body(this) { Mover = Moving(body, MayLeaveOut) });
         }
 
-        /// <summary>Bodies that move in steps of one division of time; none at first, if none is named.</summary>
+        /// <summary>A simulation with one division of time, and with the given bodies.</summary>
         public Simulation(TimeSteps steps, params BodyDescription[] bodies) : this(new SceneDescription("simulation", string.Empty, steps, bodies)) { }
 
-        /// <summary>What it began with.</summary>
+        /// <summary>The scene at the start.</summary>
         public SceneDescription Scene { get; }
 
-        /// <summary>The bodies, in the order in which they came; the last takes the place of one that is removed.</summary>
+        /// <summary>The bodies, in the order in which they were added; the last takes the index of one that is removed.</summary>
         public IReadOnlyList<Body> Bodies => _bodies;
 
-        /// <summary>How many steps are done.</summary>
+        /// <summary>The number of steps done.</summary>
         public long StepsDone => _clock.Step;
 
         /// <summary>
-        /// How many threads may step bodies that were added with one description, from 1 to 1024; as many as there are processors at
-        /// first. The result is the same for any number; on .NET Standard it is one thread always.
+        /// The largest number of threads that step bodies added with one description, from 1 to 1024; at first the number of processors.
+        /// It does not change the result; on .NET Standard it is always one thread.
         /// </summary>
         public int Threads
         {
@@ -65,23 +65,23 @@ namespace RigidBodyDynamics
         internal Omissions MayLeaveOut { get; }
 
         /// <summary>
-        /// Adds a body, which starts now. Many that are added with one description are stored and stepped together, several at a time
-        /// and on several threads; each moves to the same bits as it would alone.
+        /// Adds a body, which starts now. Many bodies added with one description are stored and stepped together, several at a time
+        /// and on several threads; each gets the same bits as alone.
         /// </summary>
-        /// <param name="description">What it is; nothing that is changed in it later changes the body. Names may repeat.</param>
+        /// <param name="description">The body; later changes of it do not change the motion. Names may repeat.</param>
         public Body Add(BodyDescription description) => Add(Guard.NotNull(description, nameof(description)), description.Start, description.GivenInBody);
 
         /// <summary>Adds a body, which starts now, in a state of its own.</summary>
-        /// <param name="description">What it is, but for its start.</param>
-        /// <param name="start">Where it starts.</param>
+        /// <param name="description">The body without its start.</param>
+        /// <param name="start">The state at the present time.</param>
         public Body Add(BodyDescription description, in BodyState start) => Add(Guard.NotNull(description, nameof(description)), start, null);
 
         /// <summary>
-        /// Brings back a body that was removed: what it was last, from another start. One that was stored with others is so again, and
-        /// nothing is allocated.
+        /// Adds a body again that was removed: with its last description, from another start. One that was stored with others is so again,
+        /// and nothing is allocated.
         /// </summary>
         /// <param name="removed">A body of this simulation.</param>
-        /// <param name="start">Where it starts.</param>
+        /// <param name="start">The state at the present time.</param>
         public void Add(Body removed, in BodyState start)
         {
             if (Guard.NotNull(removed, nameof(removed)).Simulation != this || !removed.IsRemoved)
@@ -97,7 +97,7 @@ namespace RigidBodyDynamics
             Enter(removed);
         }
 
-        /// <summary>Removes a body. Its handle can be asked for its name and its plan, and brought back, and for nothing else.</summary>
+        /// <summary>Removes a body. Its handle still has its name and its plan, and can be added again; everything else throws.</summary>
         public void Remove(Body body)
         {
             Mine(body);
@@ -107,11 +107,11 @@ namespace RigidBodyDynamics
         }
 
         /// <summary>
-        /// The states of all bodies now, in the order of <see cref="Bodies"/>: those of <see cref="Body.State"/>, and where many are stored
-        /// together several at a time.
+        /// The present states of all bodies, in the order of <see cref="Bodies"/>: those of <see cref="Body.State"/>, several at a time
+        /// where many are stored together.
         /// </summary>
-        /// <param name="states">Where they go; what is behind the last stays.</param>
-        /// <exception cref="StateOverflowException">A body has none; those that were read before it are there.</exception>
+        /// <param name="states">Receives the states; elements behind the last body do not change.</param>
+        /// <exception cref="StateOverflowException">A body has no finite state; the states before it are written.</exception>
         public void ReadStates(BodyState[] states)
         {
             if (Guard.NotNull(states, nameof(states)).Length < _bodies.Count)
@@ -129,7 +129,7 @@ namespace RigidBodyDynamics
             }
         }
 
-        /// <summary>All that a later <see cref="Restore"/> needs to go on from here to the same bits, and with the same bodies.</summary>
+        /// <summary>All that a later <see cref="Restore"/> needs to continue from here to the same bits, and with the same bodies.</summary>
         public SavedSimulation Save()
         {
             MayBeChanged();
@@ -137,8 +137,8 @@ namespace RigidBodyDynamics
         }
 
         /// <summary>
-        /// Goes back, or on, to where the simulation was when it was saved. Bodies that have been removed since come back with their
-        /// handles; bodies that have come since are removed.
+        /// Returns to a saved time, earlier or later. Bodies removed since then come back with their handles; bodies added since then
+        /// are removed.
         /// </summary>
         public void Restore(SavedSimulation saved)
         {
@@ -162,14 +162,14 @@ namespace RigidBodyDynamics
             }
         }
 
-        /// <summary>Refuses what an effect would do to the simulation in which it acts.</summary>
+        /// <summary>Refuses a change of the simulation by an effect that acts in it.</summary>
         internal void MayBeChanged()
         {
             _turnstile.Enter("simulation", Scene.Name);
             _turnstile.Leave();
         }
 
-        /// <summary>From now on a body moves after another description.</summary>
+        /// <summary>Plans a body anew from a description.</summary>
         internal void Plan(Body body, BodyDescription description, in BodyState state, Omissions mayLeaveOut)
         {
             LoneMover last = Alone(body.Mover, body);
@@ -184,7 +184,7 @@ namespace RigidBodyDynamics
             body.Mover = next;
         }
 
-        /// <summary>The mover of a body by itself. A body that is stored with others leaves them.</summary>
+        /// <summary>The mover of a body alone. A body that is stored with others leaves them.</summary>
         internal LoneMover Alone(Mover mover, Body body)
         {
             if (mover is LoneMover alone)

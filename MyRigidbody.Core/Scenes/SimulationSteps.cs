@@ -4,26 +4,26 @@ using System.Runtime.ExceptionServices;
 
 namespace RigidBodyDynamics
 {
-    /// <summary>How a simulation goes on in time.</summary>
+    /// <summary>The steps of a simulation.</summary>
     public sealed partial class Simulation
     {
         private readonly List<Body> _stepped = new List<Body>();
         private readonly WakeQueue _dormant = new WakeQueue();
         private double _rest;
 
-        /// <summary>The part of a step, 0 to 1, that <see cref="Advance"/> has kept for the next.</summary>
+        /// <summary>The time, as a part of a step from 0 to 1, that <see cref="Advance"/> has left for the next call.</summary>
         public double Alpha => Math.Max(0, Math.Min(1, _rest / _clock.Steps.Length(Math.Min(StepsDone, _clock.Steps.Count - 1))));
 
         /// <summary>One step of all bodies. Allocates nothing.</summary>
         public void Step() => Step(1);
 
-        /// <summary>A number of steps of all bodies; the same bits as that many single ones, and less overhead.</summary>
+        /// <summary>Takes a number of steps of all bodies; the same bits as that many single steps, and less overhead.</summary>
         /// <exception cref="BrokenEffectException">
-        /// An effect gave a force that is not finite, or threw an exception. All bodies then stand before the step in which it did.
+        /// An effect gave a force that is not finite, or threw an exception. All bodies are then in their states before that step.
         /// </exception>
         /// <exception cref="StateOverflowException">
-        /// The step of a body did not lead to a finite state. All bodies then stand before it. A body that coasts is not looked
-        /// at: it says so when its state is asked for, or when an effect begins to act on it.
+        /// The step of a body led to no finite state. All bodies are then in their states before it. A body that coasts is not
+        /// tested: the exception comes when its state is read, or when an effect begins to act on it.
         /// </exception>
         /// <exception cref="InvalidOperationException">An effect stepped the simulation that it acts in, or another thread did.</exception>
         public void Step(long count)
@@ -44,10 +44,10 @@ namespace RigidBodyDynamics
         }
 
         /// <summary>
-        /// One step of a length of its own (s), for those who step as often as they draw. Steps after it are as long as ever, and
-        /// effects begin and end with the first step that starts at their time or after it. It steps bodies that coast, too.
+        /// Takes one step of a given length (s), for programs that step as often as they draw. Later steps have their usual length, and
+        /// effects begin and end with the first step that starts at or after their time. Bodies that coast are stepped, too.
         /// </summary>
-        /// <exception cref="InvalidOperationException">The steps of the simulation have lengths from a list.</exception>
+        /// <exception cref="InvalidOperationException">The step lengths of the simulation come from a list.</exception>
         public void StepBy(double duration)
         {
             TimeSteps.Possible(duration);
@@ -69,16 +69,16 @@ namespace RigidBodyDynamics
         }
 
         /// <summary>
-        /// As many steps as have become due in a time (s), for instance since the last frame. What is left of it is kept for the
-        /// next call; <see cref="Alpha"/> is its part of a step, to be drawn with <see cref="Body.Between"/>. Where a step fails those
-        /// before it have been taken, and the rest is what it was: no later call makes up for the time of this one.
+        /// Takes the steps that a time (s) contains, for instance the time since the last frame. The rest is kept for the next call;
+        /// <see cref="Alpha"/> is the rest as a part of a step, for drawing with <see cref="Body.Between"/>. Where a step fails, the steps
+        /// before it have been taken, and the rest is the one before this call: no later call makes up for this one's time.
         /// </summary>
         /// <param name="elapsed">The time, s.</param>
-        /// <param name="beforeStep">Done before each of the steps: what pushes in every step belongs here.</param>
+        /// <param name="beforeStep">Called before each of the steps: loads for every step belong here.</param>
         /// <returns>How many steps were taken.</returns>
         public long Advance(double elapsed, Action beforeStep = null)
         {
-            // a time this close to a step, in steps, is a step: 0.1 s are five steps of 0.02 s, whatever their sum rounds to
+            // a time this close to a step, in steps, counts as a step: 0.1 s are five steps of 0.02 s, whatever their sum rounds to
             const double Same = 1e-9;
             const double Most = 1e18;
             double rest = _rest + Guard.NotNegative(elapsed, nameof(elapsed));
@@ -108,7 +108,7 @@ namespace RigidBodyDynamics
         {
             TimeSteps.Grid grid = _clock.Steps.Division;
             long step = StepsDone;
-            // a step of another length is no part of a way that goes by the number of its steps
+            // a step of another length cannot belong to a closed form that goes by step numbers
             try
             {
                 Arrive(mayCoast: false);
@@ -133,7 +133,7 @@ namespace RigidBodyDynamics
                     _clock.Steps.Division = grid;
 
                 Arrive(mayCoast: true);
-                // effects begin and end by the number of a step, and steps start at other times now
+                // effects begin and end by the number of a step, and steps now start at other times
                 foreach (Body body in _bodies)
                 {
                     if (body.Plan.ChangesAfter(StepsDone - 1))
@@ -190,7 +190,7 @@ namespace RigidBodyDynamics
                 if (reached == end)
                     continue;
 
-                // where one cannot go on, all go back and come as far as that one came
+                // where one mover cannot go on, all go back and advance to the step that it reached
                 end = reached;
                 _clock.SomeRest = true;
                 for (; i >= 0; i--)

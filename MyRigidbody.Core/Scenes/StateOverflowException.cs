@@ -5,8 +5,8 @@ using System.Globalization;
 namespace RigidBodyDynamics
 {
     /// <summary>
-    /// A rule has run away: after a step a number of a body's state, or the square of a velocity, does not fit double precision.
-    /// All bodies of the <see cref="Simulation"/> stand before that step; those of a batch, before that step or where the call began.
+    /// The integration has diverged: after a step a number of a body's state, or the square of a velocity, exceeds double precision.
+    /// All bodies of the <see cref="Simulation"/> are in their states before that step; those of a batch, before that step or at the start of the call.
     /// </summary>
     public sealed class StateOverflowException : ArithmeticException
     {
@@ -25,18 +25,18 @@ namespace RigidBodyDynamics
         /// <summary>Name of the body.</summary>
         public string Body { get; }
 
-        /// <summary>The body itself; null if it had run away before its simulation had it.</summary>
+        /// <summary>The body itself; null if it diverged before its simulation had it.</summary>
         public Body Handle { get; internal set; }
 
         /// <summary>
-        /// The place of <see cref="Handle"/> in <see cref="Simulation.Bodies"/> where it is one of many that are stored together; else −1.
+        /// The index of <see cref="Handle"/> in <see cref="Simulation.Bodies"/> where it is stored with others; else −1.
         /// </summary>
         public int Number { get; }
 
-        /// <summary>The rule by which it moves.</summary>
+        /// <summary>The integrator by which it moves.</summary>
         public Rule Rule { get; }
 
-        /// <summary>The step, from 0, that does not lead to a state.</summary>
+        /// <summary>The step, from 0, that leads to no finite state.</summary>
         public long Step { get; }
 
         /// <summary>The end of that step, s.</summary>
@@ -51,7 +51,7 @@ namespace RigidBodyDynamics
             plan.Rule.Name, plan.Steps.StartOf(step + 1), step,
             Acting(plan, step, isLoaded)));
 
-        /// <summary>What acts in the step: one of them is likely to be to blame.</summary>
+        /// <summary>The effects in the step: one of them is probably the cause.</summary>
         private static string Acting(BodyPlan plan, long step, bool isLoaded)
         {
             const int MostNamed = 3;

@@ -2,7 +2,7 @@ using System.Runtime.CompilerServices;
 
 namespace RigidBodyDynamics
 {
-    /// <summary>What a body was once, apart from what every step reads: so more bodies have room in a cache.</summary>
+    /// <summary>An earlier state of a body, stored apart from what every step reads: so a cache holds more bodies.</summary>
     internal sealed class Kept<T> where T : struct
     {
         public T Value;
@@ -23,38 +23,38 @@ namespace RigidBodyDynamics
         /// <summary>The step after its last.</summary>
         public long End { get; }
 
-        /// <summary>True if something pushes in it.</summary>
+        /// <summary>True if there is a push in it.</summary>
         public bool IsPushed { get; }
 
-        /// <summary>The length of steps (s) that the rule is prepared for by this stretch; 0 for none.</summary>
+        /// <summary>The step length (s) that the integrator is prepared for by this stretch; 0 for none.</summary>
         public double PreparedFor { get; set; }
 
-        /// <summary>Steps one by one.</summary>
+        /// <summary>Takes steps one by one.</summary>
         public abstract void Run(ref TIntegrator integrator, TimeSteps steps, long first, long end);
 
-        /// <summary>True if a body at this step need not be stepped: nothing pushes it, and its rule knows where it will be.</summary>
+        /// <summary>True if a body at this step need not be stepped: no push acts, and its integrator has a closed form.</summary>
         public abstract bool LetsCoast(ref TIntegrator integrator, TimeSteps steps, long step);
 
-        /// <summary>True if nothing pushes, and the rule of a body in this state knows its way at every time.</summary>
+        /// <summary>True if no push acts, and the integrator of a body in this state has a closed form.</summary>
         public abstract bool KnowsWay(TIntegrator integrator);
 
-        /// <summary>From a state at one step to that at a later one, of a body that coasts since it was at the anchor.</summary>
+        /// <summary>Takes a body that has coasted since the anchor from one step to a later one.</summary>
         public abstract void Coast(ref TIntegrator integrator, TimeSteps steps, long anchored, long from, long to);
 
-        /// <summary>The state a time (s) ago, of a body that has coasted since.</summary>
+        /// <summary>The state a time (s) ago, of a body that has coasted since then.</summary>
         public abstract void Return(ref TIntegrator integrator, double time);
 
-        /// <summary>Another state follows than the one that was here last.</summary>
+        /// <summary>Forgets what is prepared: the next state does not follow from the last one.</summary>
         public void Forget() => PreparedFor = 0;
     }
 
-    /// <summary>A stretch whose sum of effects is a type, so that its step is compiled for just that sum.</summary>
+    /// <summary>A stretch whose sum of effects is a type, so that its step is compiled for this sum.</summary>
     internal sealed class Stretch<TIntegrator, TSum> : Stretch<TIntegrator>
         where TIntegrator : struct, IIntegrator
         where TSum : struct, IPush
     {
-        // AggressiveOptimization, which .NET Standard 2.0 has no name for: a loop that is compiled again while it runs gets its
-        // step inlined, and nothing of what the step calls
+        // AggressiveOptimization, which .NET Standard 2.0 has no name for: a loop that is compiled again while it runs inlines
+        // its step, but nothing that the step calls
         private const MethodImplOptions Optimised = (MethodImplOptions)512;
         private readonly Coasting _coasting;
         private TSum _sum;
@@ -94,8 +94,8 @@ namespace RigidBodyDynamics
         }
 
         /// <summary>
-        /// In one step to the last multiple of some steps since the anchor, then step by step: so the bits do not depend
-        /// on who looked when, who looks at every step pays for every step, and who looks rarely for a few.
+        /// One step to the last multiple of some number of steps since the anchor, then step by step: so the bits do not depend on when
+        /// states are read; reading at every step costs every step, reading rarely costs a few.
         /// </summary>
         public override void Coast(ref TIntegrator integrator, TimeSteps steps, long anchored, long from, long to)
         {
@@ -119,7 +119,7 @@ namespace RigidBodyDynamics
             coasting.Rest = time.Low;
             Leap leap = default(Leap);
             integrator.Prepare(time.High, coasting);
-            // no push is asked, so none learns when
+            // no push acts, so none needs the time
             integrator.Step(default(Instant), ref leap);
         }
 
@@ -129,7 +129,7 @@ namespace RigidBodyDynamics
                 PrepareAnew(ref integrator, length);
         }
 
-        // not within the loop, which would keep its numbers in memory for what is done once
+        // not inlined into the loop, which would otherwise keep its numbers in memory for this rare call
         [MethodImpl(MethodImplOptions.NoInlining)]
         private void PrepareAnew(ref TIntegrator integrator, double length)
         {

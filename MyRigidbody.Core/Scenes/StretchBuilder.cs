@@ -5,10 +5,10 @@ namespace RigidBodyDynamics
     /// <summary>Binds each sum of effects of a plan into one type.</summary>
     internal sealed class StretchBuilder<TIntegrator> where TIntegrator : struct, IIntegrator
     {
-        // more effects than these share one type, so that no scene can make the runtime compile without end
+        // more pushes than these share one type, so that no scene can make the runtime compile without end
         private const int MostTyped = 6;
 
-        // compiled ahead of time, a program has no types but those that the compiler saw, and sums of effects have no end
+        // compiled ahead of time, a program has only the types that the compiler saw, and the number of sums of effects is unlimited
 #if NET
         private static bool CanCompile => System.Runtime.CompilerServices.RuntimeFeature.IsDynamicCodeSupported;
 #elif ENABLE_IL2CPP
@@ -30,13 +30,13 @@ namespace RigidBodyDynamics
             _loaded = loaded;
         }
 
-        /// <summary>True where pushes act on the body as its rule has it: neither locks nor a mass that changes stand between.</summary>
+        /// <summary>True where pushes act on the body of the integrator directly: without locks and with a constant mass.</summary>
         private bool IsPlain => _plan.Bearing == null && _stretch.MassCourse == null;
 
         /// <summary>The stretches of a body, one after another.</summary>
-        /// <param name="plan">Says what acts in each.</param>
-        /// <param name="isWatched">True for those that tell which push is not finite.</param>
-        /// <param name="loaded">Whose load acts besides; null for stretches without.</param>
+        /// <param name="plan">The plan of the body.</param>
+        /// <param name="isWatched">True for stretches that find the push that is not finite.</param>
+        /// <param name="loaded">The mover whose load acts, too; null for stretches without.</param>
         public static Stretch<TIntegrator>[] Bind(BodyPlan plan, bool isWatched, Mover loaded = null)
         {
             Stretch<TIntegrator>[] stretches = new Stretch<TIntegrator>[plan.Stretches.Count];
@@ -46,7 +46,7 @@ namespace RigidBodyDynamics
             return stretches;
         }
 
-        /// <summary>Goes on with a sum that holds all pushes before the next.</summary>
+        /// <summary>Continues with a sum that contains all pushes before the next.</summary>
         public Stretch<TIntegrator> Bind<TSum>(TSum sum, int next) where TSum : struct, IPush
         {
             IReadOnlyList<PushEffect> pushes = _stretch.Pushes;

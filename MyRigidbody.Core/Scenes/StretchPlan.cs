@@ -3,7 +3,7 @@ using System.Collections.Generic;
 
 namespace RigidBodyDynamics
 {
-    /// <summary>The steps from one beginning or end of an effect to the next, and what acts on a body in them.</summary>
+    /// <summary>The steps from one beginning or end of an effect to the next, and the effects on a body in them.</summary>
     internal sealed class StretchPlan
     {
         private readonly List<PushEffect> _pushes = new List<PushEffect>();
@@ -54,37 +54,37 @@ namespace RigidBodyDynamics
         /// <summary>The step after its last.</summary>
         public long End { get; }
 
-        /// <summary>When its first step starts, s.</summary>
+        /// <summary>The start of its first step, s.</summary>
         public double Starts { get; }
 
-        /// <summary>When its last step ends, s; infinite where the body's time does.</summary>
+        /// <summary>The end of its last step, s; infinite where the body's time is.</summary>
         public double Ends { get; }
 
-        /// <summary>What acts in it.</summary>
+        /// <summary>The effects in it.</summary>
         public IReadOnlyList<Effect> Effects => _effects;
 
         /// <summary>Gravity, constant forces and damping, all of them in one closed form.</summary>
         public Coasting Coasting => _coasting;
 
-        /// <summary>What <see cref="Coasting"/> is the sum of.</summary>
+        /// <summary>The effects that <see cref="Coasting"/> sums.</summary>
         internal IReadOnlyList<ICoast> Coasts => _coasts;
 
-        /// <summary>The others that move or turn the body.</summary>
+        /// <summary>The other effects that move or rotate the body.</summary>
         internal IReadOnlyList<PushEffect> Pushes => _pushes;
 
-        /// <summary>What the pushes do and read, together.</summary>
+        /// <summary>What the pushes together do and read.</summary>
         internal EffectTraits Does { get; private set; }
 
-        /// <summary>What is given at the beginning of its first step, before anything else acts in it.</summary>
+        /// <summary>The impulses at the beginning of its first step, before any other effect of it.</summary>
         internal IReadOnlyList<ImpulseEffect> Impulses => _impulses;
 
         /// <summary>True if a step begins with an impulse.</summary>
         internal bool GivesAt(long step) => step == First && _impulses.Count > 0;
 
-        /// <summary>How its mass goes; null while that is the mass it began with.</summary>
+        /// <summary>The course of its mass; null while that is the first mass.</summary>
         internal MassCourse MassCourse { get; }
 
-        /// <summary>The part of its first mass that it has at the end.</summary>
+        /// <summary>The part of its first mass at the end.</summary>
         internal double RatioAtEnd { get; private set; }
 
         private MassCourse Course(BodyDescription body, TimeSteps steps, double ratio)
@@ -115,7 +115,7 @@ namespace RigidBodyDynamics
             Does |= push.Push.Traits;
         }
 
-        /// <summary>Divides the time of a body, from a step on, where its effects begin and end.</summary>
+        /// <summary>Divides the time of a body, from a step on, at the beginnings and ends of its effects.</summary>
         internal static IReadOnlyList<StretchPlan> Divide(BodyDescription body, TimeSteps steps, long first, double ratio)
         {
             SortedSet<long> cuts = new SortedSet<long> { first, steps.Count };
@@ -125,7 +125,7 @@ namespace RigidBodyDynamics
                 cuts.Add(Math.Max(first, steps.FirstAt(effect.To)));
             }
 
-            // who comes after the last step has one stretch, of no step
+            // a body added after the last step has one stretch, without steps
             long[] at = new long[Math.Max(2, cuts.Count)];
             at[1] = first;
             cuts.CopyTo(at);

@@ -4,14 +4,14 @@ using System.Runtime.CompilerServices;
 
 namespace RigidBodyDynamics
 {
-    /// <summary>How time is divided: steps of one length, or a list of lengths.</summary>
-    /// <remarks>Step n starts at n × length, or at the sum of the lengths before it; nothing is added up step by step.</remarks>
+    /// <summary>A division of time: steps of one length, or a list of lengths.</summary>
+    /// <remarks>Step n starts at n × length, or at the compensated sum of the lengths before it, so starts do not accumulate roundings.</remarks>
     public sealed class TimeSteps
     {
         /// <summary>No step may be longer, s.</summary>
         public const double Longest = 1e9;
 
-        // a start this close to a moment, in steps, is at that moment: n × (1/60) may miss 1.5 by a rounding
+        // a start this close to a time, in steps, is at that time: n × (1/60) may miss 1.5 by a rounding
         private const double Same = 1e-6;
 
         private readonly double[] _lengths;
@@ -34,7 +34,7 @@ namespace RigidBodyDynamics
             for (int i = 0; i < _lengths.Length; i++)
             {
                 _lengths[i] = Possible(lengths[i], i);
-                // Kahan: what the sum rounds away is added with the next length
+                // Kahan: the rounding error of the sum is added with the next length
                 double add = _lengths[i] - lost, next = sum + add;
                 lost = (next - sum) - add;
                 sum = next;
@@ -43,10 +43,10 @@ namespace RigidBodyDynamics
             }
         }
 
-        /// <summary>How many steps there are; <see cref="long.MaxValue"/> where there is no end.</summary>
+        /// <summary>The number of steps; <see cref="long.MaxValue"/> where there is no end.</summary>
         public long Count { get; }
 
-        /// <summary>The first step that is not as long as the first of all; −1 if all are.</summary>
+        /// <summary>The first step whose length differs from that of step 0; −1 if there is none.</summary>
         public long FirstOfOtherLength => _lengths == null ? -1 : Array.FindIndex(_lengths, length => length != _lengths[0]);
 
         /// <summary>Steps of one length (s), without end.</summary>
@@ -55,7 +55,7 @@ namespace RigidBodyDynamics
         /// <summary>A number of steps of one length (s).</summary>
         public static TimeSteps Every(double length, long count) => new TimeSteps(length, count);
 
-        /// <summary>As many steps of one length (s) as it takes to reach a time (s).</summary>
+        /// <summary>The steps of one length (s) that reach a time (s).</summary>
         public static TimeSteps Until(double duration, double length)
         {
             Guard.Positive(duration, nameof(duration));
@@ -72,16 +72,16 @@ namespace RigidBodyDynamics
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
         public double Length(long step) => _lengths == null ? _grid.Length : _lengths[step];
 
-        /// <summary>Time at which a step starts, s; that of step <see cref="Count"/> is the end.</summary>
+        /// <summary>The start of a step, s; for step <see cref="Count"/> the end.</summary>
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
         public double StartOf(long step) => _starts == null ? _grid.Start + (step - _grid.Origin) * _grid.Length : _starts[step];
 
-        /// <summary>Time from the start of a step to that of another, s, in twice the digits.</summary>
+        /// <summary>The time from the start of a step to that of another, s, in twice the digits.</summary>
         internal DoubleDouble Between(long from, long to) => _starts == null
             ? (DoubleDouble)_grid.Length * (to - from)
             : new DoubleDouble(_starts[to], _rests[to]) - new DoubleDouble(_starts[from], _rests[from]);
 
-        /// <summary>The first step that starts at a time or after it; <see cref="Count"/> if none does.</summary>
+        /// <summary>The first step that starts at or after a time; <see cref="Count"/> if none does.</summary>
         public long FirstAt(double time)
         {
             if (_starts == null)
@@ -106,19 +106,19 @@ namespace RigidBodyDynamics
             return low;
         }
 
-        /// <summary>True for the step that starts at a time, or is the first to start after it.</summary>
+        /// <summary>True for the step that starts at a time, or is the first one after it.</summary>
         internal bool Begins(long step, double time) => FirstAt(time) == step && !(time <= _grid.Done);
 
         /// <summary>Whether a list gives their lengths.</summary>
         internal bool AreListed => _lengths != null;
 
-        /// <summary>Where steps of one length begin. A simulation that takes a step of another moves it.</summary>
+        /// <summary>The origin of steps of one length. A simulation that takes a step of another length moves it.</summary>
         internal Grid Division { get => _grid; set => _grid = value; }
 
-        /// <summary>The same division, to be moved by itself.</summary>
+        /// <summary>A copy whose origin can be moved separately.</summary>
         internal TimeSteps Copy() => (TimeSteps)MemberwiseClone();
 
-        /// <summary>From a step on, all steps have another length; it starts when it would have.</summary>
+        /// <summary>Gives all steps from one on another length; that step starts where it would have.</summary>
         internal void Turn(long step, double length)
         {
             if (step > _grid.Origin)
@@ -134,13 +134,13 @@ namespace RigidBodyDynamics
                 ? length
                 : throw Guard.Refused(index < 0 ? "step" : "step[" + index + "]", length, "must be above zero and at most 1e9 s");
 
-        /// <summary>A step from which on all have one length, and when it starts.</summary>
+        /// <summary>A step from which all steps have one length, and its start.</summary>
         internal struct Grid
         {
             public long Origin;
             public double Start, StartLost, Length;
 
-            /// <summary>What is to begin at this time or before has begun in a step before the origin.</summary>
+            /// <summary>Effects that begin at this time or before have begun in a step before the origin.</summary>
             public double Done;
 
             public bool Equals(in Grid other) => Origin == other.Origin && Start == other.Start && StartLost == other.StartLost && Length == other.Length;

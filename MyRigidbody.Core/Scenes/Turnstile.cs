@@ -3,14 +3,14 @@ using System;
 namespace RigidBodyDynamics
 {
     /// <summary>
-    /// Lets one through at a time: finds a step that begins before another has ended. Costs two stores and no lock, so of two threads
-    /// that come within some nanoseconds both may pass, but not again and again.
+    /// Finds a step that begins before another has ended. Costs two stores and no lock, so two threads that come within some
+    /// nanoseconds may both pass, but not repeatedly.
     /// </summary>
     internal struct Turnstile
     {
         private volatile bool _isInside;
 
-        /// <param name="what">What is stepped.</param>
+        /// <param name="what">The kind of what is stepped.</param>
         /// <param name="name">Its name.</param>
         public void Enter(string what, string name)
         {

@@ -3,15 +3,15 @@ using System;
 namespace RigidBodyDynamics
 {
     /// <summary>
-    /// The dormant bodies that an effect will wake, the next of them first: a heap whose bodies know their places in it, so that
-    /// one which is pushed or removed before leaves it.
+    /// The dormant bodies that an effect will wake, the earliest first: a heap whose bodies store their places in it, so that
+    /// a body pushed or removed before that time can leave it.
     /// </summary>
     internal sealed class WakeQueue
     {
         private Entry[] _heap = Array.Empty<Entry>();
         private int _count;
 
-        /// <summary>When the next one wakes.</summary>
+        /// <summary>The step in which the next one wakes.</summary>
         public long Next => _count > 0 ? _heap[0].At : long.MaxValue;
 
         public void Clear()
@@ -35,7 +35,7 @@ namespace RigidBodyDynamics
             return first;
         }
 
-        /// <summary>Takes out a body; nothing happens where it is not in.</summary>
+        /// <summary>Removes a body, if it is in the queue.</summary>
         public void Remove(Body body)
         {
             int hole = body.PlaceInQueue;

@@ -2,7 +2,7 @@ using System;
 
 namespace RigidBodyDynamics
 {
-    /// <summary>A push that is looked at: what it gives must be finite, and it must give something.</summary>
+    /// <summary>A push whose result is tested: it must be finite, and the push must add something.</summary>
     internal sealed class Watched : IPush
     {
         private readonly PushEffect _effect;
@@ -46,7 +46,7 @@ namespace RigidBodyDynamics
             Look(now, body, was, impulse);
         }
 
-        /// <summary>Where the state had gone to infinity before, the rule is to blame and not the effect.</summary>
+        /// <summary>Where the state had already diverged, the integrator is the cause and not the effect.</summary>
         private void Look(in Instant now, in BodyState body, bool was, in Wrench given)
         {
             if (was && body.IsFinite && !given.IsFinite)

@@ -1,7 +1,7 @@
 using RigidBodyDynamics;
 using UnityEngine;
 
-/// <summary>A slab that is thrown about its middle axis and turns over again and again. Put it on a cube and press Play.</summary>
+/// <summary>A slab, thrown about its middle axis, that flips again and again. Put it on a cube and press Play.</summary>
 public sealed class FreeFlight : MonoBehaviour
 {
     private Simulation _simulation;
@@ -17,7 +17,7 @@ public sealed class FreeFlight : MonoBehaviour
         _simulation = new Simulation(TimeSteps.Every(0.02), slab);
     }
 
-    // as many steps as the frame is long; what is left of it is drawn between the last two
+    // takes the steps that the frame's time contains, and draws the rest by interpolation
     private void Update()
     {
         _simulation.Advance(Time.deltaTime);
