@@ -44,11 +44,12 @@ public sealed class BodyByBody
     {
         Guard.NotNull(forAll, nameof(forAll));
         SceneDescription[] alone = [.. Guard.NotNull(scene, nameof(scene)).Bodies.Select(body => new SceneDescription(body.Name, string.Empty, scene.Steps, [body]))];
+        IReadOnlyList<IReadOnlyDictionary<Rule, double>> perStep = Probes.Of(alone, forAll.Truth.Duration);
         Advice[] own = new Advice[alone.Length];
         for (int i = 0; i < own.Length; i++)
         {
             int before = i;
-            own[i] = Advisor.Choose(alone[i], forAll.Truth.Alone(i), error, done => progress?.Invoke(0.8 * (before + done) / alone.Length));
+            own[i] = Advisor.Choose(alone[i], forAll.Truth.Alone(i), error, perStep[i], done => progress?.Invoke(0.8 * (before + done) / alone.Length));
         }
 
         Trial[] oneRule = forAll.Reached

@@ -6,12 +6,12 @@ namespace RigidBodyDynamics.Lab;
 /// <remarks>
 /// A round times each of them some times for a millisecond, in turns, and counts the shortest, which what else runs on the machine
 /// disturbs the least. Of all rounds the lower quartile is what a step costs: no clock that slips once decides. Whoever is far dearer after
-/// the first rounds is out.
+/// the first rounds is out, and whoever was dearer than the cheapest in nine of ten.
 /// </remarks>
 internal sealed class Contest
 {
-    private const int FirstRounds = 4, Rounds = 10, MostRounds = 40, TurnsPerRound = 4;
-    private const double SecondsPerTurn = 0.001, WarmUp = 0.1, FarDearer = 1.5, Near = 1.15;
+    private const int FirstRounds = 2, Rounds = 10, MostRounds = 40, TurnsPerRound = 4;
+    private const double SecondsPerTurn = 0.001, WarmUp = 0.1, FarDearer = 1.5, Clear = 0.9;
 
     private readonly Dictionary<Trial, List<double>> _times;
 
@@ -25,7 +25,7 @@ internal sealed class Contest
             Round(runs);
 
         List<Trial> left = [.. trials];
-        for (int round = 1; round <= MostRounds && (round <= Rounds || IsNear(left)); round++)
+        for (int round = 1; round <= MostRounds && (round <= Rounds || left.Count > 1); round++)
         {
             foreach ((Trial trial, double time) in Round(runs))
             {
@@ -33,13 +33,12 @@ internal sealed class Contest
                 trial.NanosecondsPerStep = _times[trial].Order().ElementAt(_times[trial].Count / 4);
             }
 
-            if (round >= FirstRounds && round % FirstRounds == 0)
+            if (round >= FirstRounds)
             {
-                double dearest = FarDearer * left.OrderBy(trial => trial.Cost).ElementAt(Math.Min(1, left.Count - 1)).Cost;
-                foreach (Trial trial in left.Where(trial => trial.Cost > dearest))
+                Trial[] cheapest = [.. left.OrderBy(trial => trial.Cost).Take(2)];
+                left.RemoveAll(trial => trial.Cost > FarDearer * cheapest[^1].Cost || (round >= Rounds && Won(cheapest[0], trial) >= Clear * round));
+                foreach (Trial trial in runs.Keys.Except(left).ToArray())
                     runs.Remove(trial);
-
-                left.RemoveAll(trial => trial.Cost > dearest);
             }
 
             progress?.Invoke((double)round / Rounds);
@@ -60,10 +59,10 @@ internal sealed class Contest
     public int RoundsOfBoth => RunnerUp == null ? 0 : Math.Min(_times[Best].Count, _times[RunnerUp].Count);
 
     /// <summary>In how many of these the best was the cheaper.</summary>
-    public int RoundsWon => RunnerUp == null ? 0 : _times[Best].Zip(_times[RunnerUp], (best, other) => best / Best.Step < other / RunnerUp.Step).Count(isCheaper => isCheaper);
+    public int RoundsWon => RunnerUp == null ? 0 : Won(Best, RunnerUp);
 
-    private static bool IsNear(List<Trial> left) =>
-        left.Count > 1 && left.Order(Comparer<Trial>.Create((a, b) => a.Cost.CompareTo(b.Cost))).ElementAt(1).Cost < Near * left.Min(trial => trial.Cost);
+    /// <summary>In how many rounds of both the first was the cheaper.</summary>
+    private int Won(Trial a, Trial b) => _times[a].Zip(_times[b], (one, other) => one / a.Step < other / b.Step).Count(isCheaper => isCheaper);
 
     private static IEnumerable<(Trial Trial, double Time)> Round(Dictionary<Trial, TimedRun> runs)
     {

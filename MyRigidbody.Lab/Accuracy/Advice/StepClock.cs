@@ -9,7 +9,7 @@ public static class StepClock
     private const long Chunk = 2000;
 
     // a runtime that compiles again what runs often has done so by then, s
-    private const double WarmUp = 0.3;
+    private const double WarmUp = 0.15;
 
     // a body that coasts takes its steps in less time than it takes to make it
     private const double MostPerSecond = 5;
@@ -22,25 +22,34 @@ public static class StepClock
     /// <summary>Takes the time of trials in turns, so that what slows the machine for a while slows all of them.</summary>
     /// <param name="trials">The trials; their <see cref="Trial.NanosecondsPerStep"/> is set.</param>
     /// <param name="seconds">How long each of them runs in a turn.</param>
-    /// <param name="repeats">How many turns count, after some that do not; the shortest time is kept.</param>
+    /// <param name="repeats">
+    /// How many turns count at most, after some that do not; the shortest time is kept, and one that has come back five times is not taken again.
+    /// </param>
     /// <param name="progress">Told the fraction that is done.</param>
     public static void Take(IReadOnlyList<Trial> trials, double seconds, int repeats, Action<double>? progress = null)
     {
         Guard.Positive(seconds, nameof(seconds));
         Stopwatch warm = Stopwatch.StartNew();
         TimedRun?[] runs = [.. trials.Select(trial => Guard.IsFinite(trial.Error) ? new TimedRun(trial.Scene) : null)];
-        for (int turn = 0; turn <= repeats; turn += turn > 0 || warm.Elapsed.TotalSeconds > WarmUp || trials.Count == 0 ? 1 : 0)
+        ShortestTime[] times = [.. trials.Select(_ => new ShortestTime())];
+        for (int turn = 0; turn <= repeats && !times.All(time => time.IsKnown); turn += turn > 0 || warm.Elapsed.TotalSeconds > WarmUp ? 1 : 0)
         {
             for (int i = 0; i < trials.Count; i++)
             {
+                if (times[i].IsKnown)
+                    continue;
+
                 double time = runs[i]?.Nanoseconds(seconds) ?? double.PositiveInfinity;
-                // what comes first is the NaN of a trial without a time
-                if (turn > 0 && !(time >= trials[i].NanosecondsPerStep))
-                    trials[i].NanosecondsPerStep = time;
+                if (turn > 0)
+                    times[i].Add(time);
 
                 progress?.Invoke((turn * trials.Count + i + 1.0) / ((repeats + 1.0) * trials.Count));
             }
         }
+
+        // a trial may have a time from before
+        for (int i = 0; i < trials.Count; i++)
+            trials[i].NanosecondsPerStep = double.MinNumber(trials[i].NanosecondsPerStep, times[i].Value);
     }
 
     /// <summary>The time between two ticks of the clock, s: what it cannot tell apart.</summary>

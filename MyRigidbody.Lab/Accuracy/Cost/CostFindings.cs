@@ -1,3 +1,5 @@
+using System.Collections.Concurrent;
+
 namespace RigidBodyDynamics.Lab;
 
 /// <summary>Every rule of the catalogue on one motion, in steps of many lengths.</summary>
@@ -18,16 +20,15 @@ internal sealed record CostFindings(CostMotion Motion, IReadOnlyList<Trial> Tria
     public static CostFindings Of(CostMotion motion, Effort effort, Action<double> report)
     {
         int[] parts = [.. PartsOf(motion.Truth).Take(effort.StepSizes)];
-        List<Trial> trials = [];
-        foreach (Rule rule in Rules.All)
+        (Rule Rule, int Part)[] asked = [.. Rules.All.SelectMany(rule => parts.Select(part => (rule, part)))];
+        Trial[] trials = new Trial[asked.Length];
+        int done = 0;
+        // on all cores, the longest first; the times below are taken one by one
+        Parallel.ForEach(Partitioner.Create(Enumerable.Range(0, asked.Length).OrderByDescending(i => asked[i].Part), EnumerablePartitionerOptions.NoBuffering), i =>
         {
-            foreach (int part in parts)
-            {
-                trials.Add(Trial.Of(motion.Scene, motion.Truth, rule, motion.Truth.BaseStep / part));
-                report(0.5 * trials.Count / (Rules.All.Count * parts.Length));
-            }
-        }
-
+            trials[i] = Trial.Of(motion.Scene, motion.Truth, asked[i].Rule, motion.Truth.BaseStep / asked[i].Part);
+            report(0.5 * Interlocked.Increment(ref done) / asked.Length);
+        });
         StepClock.Take(trials, effort.SecondsPerTurn, effort.Turns, done => report(0.5 + (0.5 * done)));
         return new CostFindings(motion, trials);
     }
