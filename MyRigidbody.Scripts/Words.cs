@@ -27,6 +27,24 @@ internal static class Words
         ["uses-another-object"] = ("another object of the scene is looked up", "查找了场景中的其他对象"),
     };
 
+    // the runtime says what its own exceptions mean in English alone
+    private static readonly Dictionary<string, string> Meant = new()
+    {
+        ["NullReferenceException"] = "使用了为 null 的对象，它没有赋值或没有找到",
+        ["IndexOutOfRangeException"] = "数组下标超出范围",
+        ["ArgumentOutOfRangeException"] = "下标或参数超出范围",
+        ["ArgumentNullException"] = "参数为 null",
+        ["DivideByZeroException"] = "整数除以零",
+        ["InvalidCastException"] = "对象不是要转换成的类型",
+        ["OverflowException"] = "整数溢出",
+        ["KeyNotFoundException"] = "字典中没有这个键",
+        ["FormatException"] = "文字不是应有的格式",
+        ["NotImplementedException"] = "这里还没有写",
+        ["NotSupportedException"] = "不支持这个操作",
+        ["MissingReferenceException"] = "使用了已被销毁的对象",
+        ["MissingComponentException"] = "对象上没有这个组件",
+    };
+
     public static Finding Forbidden(string code, string name) => Code(code, "only the engine and plain C#", name,
         $"The script {Reached[code].English} ({name}). It was not run: in the lab only the five steps are needed.",
         $"脚本{Reached[code].Chinese}（{name}），因此没有运行：实验只需要五个步骤。");
@@ -39,8 +57,8 @@ internal static class Words
         $"The script steps by {name}, which the checker does not run. Take the five steps in Update or FixedUpdate.",
         $"脚本用 {name} 推进，检查器不支持。请在 Update 或 FixedUpdate 中完成五个步骤。");
 
-    public static Finding DoesNotCompile(string code, string id, string message) => Code(code, "a script that compiles", id + ": " + message,
-        $"The script does not compile: {id}, {message}.", $"脚本不能编译：{id}，{message}。");
+    public static Finding DoesNotCompile(string code, string id, string message, string inChinese) => Code(code, "a script that compiles", id + ": " + message,
+        $"The script does not compile: {id}, {message}.", $"脚本不能编译：{id}，{inChinese}。");
 
     public static Finding NoQuaternionSum(string message) => Code("no-quaternion-sum", "new Quaternion(a.x + b.x, a.y + b.y, a.z + b.z, a.w + b.w)", message,
         "The script does not compile: Unity has no + for quaternions. Add the four components.",
@@ -82,13 +100,13 @@ internal static class Words
             "The script did not answer in time and was stopped.", "脚本超时，已停止。"),
     };
 
-    public static Finding Throws(string code, string message, string exception) => Code(code, "no exception", exception,
+    public static Finding Throws(string code, string message, string exception, string said) => Code(code, "no exception", exception + said,
         code == "no-rigidbody"
             ? $"{message} asks for a Rigidbody, and there is none on the object; none is needed."
-            : $"{message} throws {exception}.",
+            : $"{message} throws {exception}{said}.",
         code == "no-rigidbody"
             ? $"{message} 需要 Rigidbody，而对象上没有，也不需要。"
-            : $"{message} 抛出异常：{exception}。");
+            : $"{message} 抛出异常 {exception}{(Meant.TryGetValue(exception, out string? meant) ? "：" + meant : said)}。");
 
     public static Finding ClassName(string name) => new(Step.Name, "class-name", Compilation.Sources.ClassName, name,
         $"The class is called {name}, not MyRigidbody: Unity cannot put MyRigidbody.cs on an object.",

@@ -11,7 +11,7 @@ namespace RigidBodyDynamics.Judging
         private static readonly CarryShape[] Shapes =
         {
             new CarryShape(null, "v", o => o.Moved),
-            new CarryShape("x-assigned", "v, from the origin", o => o.After.Position),
+            new CarryShape("x-assigned", "v − x", o => o.After.Position),
             new CarryShape("x-in-body-axes", "R v", o => Rotation(o).Transpose * o.Moved),
             new CarryShape("x-in-body-axes", "Rᵀ v", o => Rotation(o) * o.Moved),
         };

@@ -46,7 +46,7 @@ internal static class CompileErrors
     }
 
     private static Objection Plain(string code, Diagnostic error) =>
-        Objection.At(error.Location, Words.DoesNotCompile(code, error.Id, Message(error)));
+        Objection.At(error.Location, Words.DoesNotCompile(code, error.Id, Message(error), CompilerInChinese.Message(error)));
 
     private static string Message(Diagnostic error) => error.GetMessage(CultureInfo.InvariantCulture).TrimEnd('.');
 }

@@ -81,7 +81,7 @@ internal static class Execution
         int? line = Line(thrown);
         string[] lines = compiled.Sources.Script!.SyntaxTree.ToString().Split('\n');
         bool isRigidbody = thrown is NullReferenceException && line is { } at && at <= lines.Length && lines[at - 1].Contains("Rigidbody", StringComparison.Ordinal);
-        return Place(Words.Throws(isRigidbody ? "no-rigidbody" : "throws", laboratory.Message, thrown.GetType().Name + MessageOf(thrown)), line, laboratory);
+        return Place(Words.Throws(isRigidbody ? "no-rigidbody" : "throws", laboratory.Message, thrown.GetType().Name, MessageOf(thrown)), line, laboratory);
     }
 
     private static Finding Place(Finding finding, int? line, StandIn laboratory)

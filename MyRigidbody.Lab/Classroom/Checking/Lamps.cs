@@ -40,6 +40,7 @@ internal static class Lamps
     private static string Heading(Finding finding, bool isChinese)
     {
         string place = CheckWords.Place(finding).In(isChinese);
-        return $"{CheckWords.Name(finding.Step).In(isChinese)}: {finding.Code}{(place.Length > 0 ? (isChinese ? "，" : ", ") + place : string.Empty)}";
+        (string colon, string comma) = isChinese ? ("：", "，") : (": ", ", ");
+        return $"{CheckWords.Name(finding.Step).In(isChinese)}{colon}{finding.Code}{(place.Length > 0 ? comma + place : string.Empty)}";
     }
 }

@@ -36,9 +36,6 @@ public sealed partial class ChineseTests
         Use("check", "--lang"),
     ];
 
-    // words of the library's own examples and names, which a sentence around them does not translate
-    private static readonly Regex Known = KnownNames();
-
     [TestCaseSource(nameof(Uses))]
     public void Nothing_that_is_said_is_in_English(string[] arguments)
     {
@@ -47,7 +44,7 @@ public sealed partial class ChineseTests
 
         Assert.That(said.ExitCode, Is.LessThanOrEqualTo(2));
         Assert.That(said.Output + said.Error, Does.Match(ChineseLetter()));
-        Assert.That(English(said.Output + said.Error), Is.Empty);
+        Assert.That(EnglishSentences.In(said.Output + said.Error), Is.Empty);
     }
 
     [Test]
@@ -56,7 +53,7 @@ public sealed partial class ChineseTests
         (string File, string Text)[] said = [.. SaidInSource.All()];
 
         Assert.That(said, Has.Length.GreaterThan(400));
-        Assert.That(said.Where(one => Forms(one.Text).All(text => English(Sentences.InChinese(text)).Any())).Select(one => $"{one.File}: {one.Text}").Aggregate(string.Empty, (all, one) => all + one + "\n"), Is.Empty);
+        Assert.That(said.Where(one => Forms(one.Text).All(text => EnglishSentences.In(Sentences.InChinese(text)).Any())).Select(one => $"{one.File}: {one.Text}").Aggregate(string.Empty, (all, one) => all + one + "\n"), Is.Empty);
     }
 
     [Test]
@@ -65,7 +62,7 @@ public sealed partial class ChineseTests
         string[] said = [.. Refusals.All().Select(refused => Assert.Catch<ArgumentException>((TestDelegate)refused.Arguments[2]!)!.Message)];
 
         Assert.That(said, Has.Length.GreaterThan(300));
-        Assert.That(said.Select(Sentences.InChinese).SelectMany(English).Distinct(), Is.Empty);
+        Assert.That(said.Select(Sentences.InChinese).SelectMany(EnglishSentences.In).Distinct(), Is.Empty);
     }
 
     [Test]
@@ -75,7 +72,7 @@ public sealed partial class ChineseTests
             .SelectMany(body => Diagnosis.Of(body).Select(finding => finding.Text))];
 
         Assert.That(said, Has.Length.GreaterThan(15));
-        Assert.That(said.Select(Sentences.InChinese).SelectMany(English), Is.Empty);
+        Assert.That(said.Select(Sentences.InChinese).SelectMany(EnglishSentences.In), Is.Empty);
     }
 
     [Test]
@@ -121,19 +118,6 @@ public sealed partial class ChineseTests
 
     // by itself, behind "must be", and without an end that only a run knows
     private static string[] Forms(string text) => [text, "must be " + text, text[..^1]];
-
-    /// <summary>Runs of three or more English words; what stands in quotes is somebody's own.</summary>
-    private static IEnumerable<string> English(string text) =>
-        text.Split('\n').SelectMany(line => Sentence().Matches(Known.Replace(Quoted().Replace(line, "…"), "…")).Select(match => match.Value + "   in: " + line));
-
-    [GeneratedRegex(@"(?<![\w/.<-])[A-Za-z]?[a-z']+(,? [a-z']*[A-Za-z]?[a-z']+){2,}(?![\w/>-])")]
-    private static partial Regex Sentence();
-
-    [GeneratedRegex("\"[^\"]*\"")]
-    private static partial Regex Quoted();
-
-    [GeneratedRegex(@"quadratic drag|linear damping|on its axle|without a lock|dotnet build|npm install --prefix|bash \.ci|kg m s|slab in Unity|\bi?[wxyz]{1,2}\b")]
-    private static partial Regex KnownNames();
 
     [GeneratedRegex(@"\p{IsCJKUnifiedIdeographs}")]
     private static partial Regex ChineseLetter();

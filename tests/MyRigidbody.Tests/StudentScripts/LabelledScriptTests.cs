@@ -2,6 +2,7 @@ using System.Text.Json;
 using NUnit.Framework;
 using RigidBodyDynamics.Judging;
 using RigidBodyDynamics.StudentScripts;
+using RigidBodyDynamics.Tests.Languages;
 
 namespace RigidBodyDynamics.Tests.StudentScripts;
 
@@ -24,6 +25,10 @@ public sealed class LabelledScriptTests
             IEnumerable<int> off = Verdict.FiveSteps.Select((step, index) => verdict[step] == Mark.Right ? 0 : index + 1).Where(number => number > 0);
             Assert.That(off, Is.EqualTo(label.GetProperty("steps").EnumerateArray().Select(step => step.GetInt32()).Where(step => step > 0)));
         }
+
+        // what is shown to who reads Chinese: the sentence, and beside it formulas that are in no language
+        IEnumerable<string> shown = verdict.Findings.SelectMany(finding => finding.Step <= Step.Damping ? [finding.Chinese, finding.Expected, finding.Found] : new[] { finding.Chinese });
+        Assert.That(shown.SelectMany(EnglishSentences.In), Is.Empty);
     }
 
     // Translate and Rotate stand under a TODO of the sheet in two scripts, and f10's loop was put in afterwards
