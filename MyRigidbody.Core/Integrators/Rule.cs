@@ -85,8 +85,6 @@ namespace RigidBodyDynamics
         /// <summary>Its name.</summary>
         public sealed override string ToString() => Name;
 
-        internal LoneMover Build(BodyPlan plan, Clock clock) => Use(plan.Body, new MoverMaker(plan, clock));
-
         /// <summary>An operation on the integrator's type, the one that suits a body.</summary>
         internal abstract TResult Use<TResult>(BodyDescription body, IRuleUse<TResult> use);
 
@@ -128,20 +126,6 @@ namespace RigidBodyDynamics
                 rule.Prepare(1, _stretch.Coasting);
                 return rule.HasClosedForm;
             }
-        }
-
-        private sealed class MoverMaker : IRuleUse<LoneMover>
-        {
-            private readonly BodyPlan _plan;
-            private readonly Clock _clock;
-
-            public MoverMaker(BodyPlan plan, Clock clock)
-            {
-                _plan = plan;
-                _clock = clock;
-            }
-
-            public LoneMover With<TIntegrator>() where TIntegrator : struct, IIntegrator => new Mover<TIntegrator>(_plan, _clock);
         }
     }
 
@@ -213,25 +197,31 @@ namespace RigidBodyDynamics
     {
         public CompositionRule(string name, int order, Keeps keeps, Cost cost, string about) : base(name, order, keeps, cost, about) { }
 
-        internal override TResult Use<TResult>(BodyDescription body, IRuleUse<TResult> use) =>
-            FreeTops.Choose(body, new WithTop<TResult>(use));
+        internal override TResult Use<TResult>(BodyDescription body, IRuleUse<TResult> use)
+        {
+            int different = DifferentMoments(body.Mass);
+            return !body.CanTurn ? use.With<Composition<HeldTop, TScheme>>()
+                : different == 1 ? use.With<Composition<SphericalTop, TScheme>>()
+                : different == 2 ? use.With<Composition<SymmetricTop, TScheme>>() : use.With<Composition<AsymmetricTop, TScheme>>();
+        }
 
-        internal override string Rotation(BodyDescription body) => "free rotation of " + FreeTops.Choose(body, new FreeTops.Words()) + " (exact)";
+        internal override string Rotation(BodyDescription body)
+        {
+            int different = DifferentMoments(body.Mass);
+            return "free rotation of " + (different == 1 ? "a body with three equal moments"
+                : different == 2 ? "a body with two equal moments" : "a body with three different moments") + " (exact)";
+        }
 
         internal override string Simpler(BodyDescription body)
         {
-            Vector3d i = body.Mass.PrincipalMoments;
-            return body.Mass.IsIsotropic ? "all moments are equal, so ω stays"
-                : i.X == i.Y || i.Y == i.Z || i.Z == i.X ? "two moments are equal, so two turns are enough" : null;
+            int different = DifferentMoments(body.Mass);
+            return different == 1 ? "all moments are equal, so ω stays" : different == 2 ? "two moments are equal, so two turns are enough" : null;
         }
 
-        private sealed class WithTop<TResult> : FreeTops.IUse<TResult>
+        private static int DifferentMoments(MassProperties mass)
         {
-            private readonly IRuleUse<TResult> _use;
-
-            public WithTop(IRuleUse<TResult> use) => _use = use;
-
-            public TResult With<TTop>() where TTop : struct, IFreeTop => _use.With<Composition<TTop, TScheme>>();
+            Vector3d i = mass.PrincipalMoments;
+            return mass.IsIsotropic ? 1 : i.X == i.Y || i.Y == i.Z || i.Z == i.X ? 2 : 3;
         }
     }
 }

@@ -116,4 +116,19 @@ namespace RigidBodyDynamics
 
         public override LoneMover Alone(Body body) => this;
     }
+
+    /// <summary>Makes the mover of a body from its integrator as a type.</summary>
+    internal sealed class MoverMaker : IRuleUse<LoneMover>
+    {
+        private readonly BodyPlan _plan;
+        private readonly Clock _clock;
+
+        public MoverMaker(BodyPlan plan, Clock clock)
+        {
+            _plan = plan;
+            _clock = clock;
+        }
+
+        public LoneMover With<TIntegrator>() where TIntegrator : struct, IIntegrator => new Mover<TIntegrator>(_plan, _clock);
+    }
 }

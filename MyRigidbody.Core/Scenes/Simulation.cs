@@ -229,7 +229,7 @@ namespace RigidBodyDynamics
         private LoneMover Moving(BodyDescription description, Omissions mayLeaveOut, double massRatio = 1)
         {
             BodyPlan plan = new BodyPlan(description, _clock.Steps, mayLeaveOut, StepsDone, massRatio);
-            return plan.Rule.Build(plan, _clock);
+            return plan.Rule.Use(plan.Body, new MoverMaker(plan, _clock));
         }
 
         private void Enter(Body body)

@@ -29,7 +29,7 @@ namespace RigidBodyDynamics
 
             _coasting.Acceleration = body.Lock.Moving(_coasting.Acceleration);
             BodyDescription held = body.Copy(body.Name, Bearing.Of(body.Lock, body.Mass)?.Mass ?? body.Mass);
-            _form = FreeTops.Choose(held, new Maker(held));
+            _form = Rules.Exact.Use(held, new Maker(held));
         }
 
         /// <summary>
@@ -42,13 +42,13 @@ namespace RigidBodyDynamics
                 ? _form.At(time, _coasting)
                 : throw Guard.Refused(nameof(time), time, "must be at most 1e9 s either way");
 
-        private sealed class Maker : FreeTops.IUse<Form>
+        private sealed class Maker : IRuleUse<Form>
         {
             private readonly BodyDescription _body;
 
             public Maker(BodyDescription body) => _body = body;
 
-            public Form With<TTop>() where TTop : struct, IFreeTop => new Form<TTop>(_body);
+            public Form With<TIntegrator>() where TIntegrator : struct, IIntegrator => new Form<TIntegrator>(_body);
         }
 
         private abstract class Form
@@ -56,20 +56,20 @@ namespace RigidBodyDynamics
             public abstract BodyState At(double time, in Coasting coasting);
         }
 
-        private sealed class Form<TTop> : Form where TTop : struct, IFreeTop
+        private sealed class Form<TIntegrator> : Form where TIntegrator : struct, IIntegrator
         {
-            private readonly Composition<TTop, Order2> _start;
+            private readonly TIntegrator _start;
 
             public Form(BodyDescription body)
             {
-                _start = default(Composition<TTop, Order2>);
+                _start = default(TIntegrator);
                 _start.Start(new Beginning(body));
             }
 
             public override BodyState At(double time, in Coasting coasting)
             {
                 // one step of a copy: without pushes a step is exact for any length
-                Composition<TTop, Order2> body = _start;
+                TIntegrator body = _start;
                 Leap leap = default(Leap);
                 body.Prepare(time, coasting);
                 body.Step(new Instant(0, 0), ref leap);
