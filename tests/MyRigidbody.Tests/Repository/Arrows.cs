@@ -15,19 +15,25 @@ internal static class Arrows
     private static readonly CSharpParseOptions Modern = new(LanguageVersion.Latest, preprocessorSymbols: ["NET", "NET8_0_OR_GREATER", "NET10_0_OR_GREATER"]);
 
     private static readonly ConcurrentDictionary<string, (string From, string To, string What)[]> Found = [];
+    private static readonly ConcurrentDictionary<string, CSharpCompilation> Projects = [];
 
     /// <summary>Files that refer to one another, by their paths from the project's folder, with an example of what is referred to.</summary>
     public static (string From, string To, string What)[] BetweenFiles(string project) => Found.GetOrAdd(project, Find);
 
+    /// <summary>The code of a folder as its compiler sees it.</summary>
+    public static CSharpCompilation Compiled(string project) => Projects.GetOrAdd(project, Compile);
+
+    private static CSharpCompilation Compile(string project) => CSharpCompilation.Create(
+        project,
+        Tree.Files(project, "*.cs").Where(path => !path.Contains('~')).Select(path => CSharpSyntaxTree.ParseText(Tree.Text(path), Modern, path[(project.Length + 1)..]))
+            .Append(CSharpSyntaxTree.ParseText(Imports, Modern, "imports")),
+        ((string)AppContext.GetData("TRUSTED_PLATFORM_ASSEMBLIES")!).Split(Path.PathSeparator)
+            .Where(path => Path.GetFileNameWithoutExtension(path) != project).Select(path => MetadataReference.CreateFromFile(path)),
+        new CSharpCompilationOptions(OutputKind.DynamicallyLinkedLibrary, allowUnsafe: true));
+
     private static (string From, string To, string What)[] Find(string project)
     {
-        CSharpCompilation compilation = CSharpCompilation.Create(
-            project,
-            Tree.Files(project, "*.cs").Where(path => !path.Contains('~')).Select(path => CSharpSyntaxTree.ParseText(Tree.Text(path), Modern, path[(project.Length + 1)..]))
-                .Append(CSharpSyntaxTree.ParseText(Imports, Modern, "imports")),
-            ((string)AppContext.GetData("TRUSTED_PLATFORM_ASSEMBLIES")!).Split(Path.PathSeparator)
-                .Where(path => Path.GetFileNameWithoutExtension(path) != project).Select(path => MetadataReference.CreateFromFile(path)),
-            new CSharpCompilationOptions(OutputKind.DynamicallyLinkedLibrary, allowUnsafe: true));
+        CSharpCompilation compilation = Compiled(project);
         return [.. from tree in compilation.SyntaxTrees
                let model = compilation.GetSemanticModel(tree)
                from expression in tree.GetRoot().DescendantNodes().OfType<ExpressionSyntax>()
