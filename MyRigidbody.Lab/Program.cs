@@ -26,7 +26,7 @@ internal static class Program
         return Run(args);
     }
 
-    /// <summary>Runs a command line as the shell would.</summary>
+    /// <summary>Runs a command line as a shell would.</summary>
     internal static int Run(string[] args)
     {
         Language.Choose(args);
@@ -46,15 +46,15 @@ internal static class Program
             Language.Option(),
         };
         Language.Describe(root);
-        // with no command at all: the lab's scene, both bodies
+        // without a command: the lab's scene, both bodies
         root.SetAction(_ => CompareCommand.Execute(Gallery.Lab, CompareCommand.DefaultFolder, CompareCommand.DefaultTolerance));
-        // in a terminal of some columns the library cuts a text before its beginning
+        // in a narrow terminal the library's layout of the help throws
         foreach (HelpAction help in root.Options.Select(option => option.Action).OfType<HelpAction>())
         {
             help.MaxWidth = Math.Max(help.MaxWidth, NarrowestHelp);
         }
 
-        // a file whose name begins with @ is a file
+        // an argument that begins with @ is a file name
         ParseResult parsed = root.Parse(args, new ParserConfiguration { ResponseFileTokenReplacer = null });
         if (parsed.Errors.Count > 0)
         {
@@ -88,7 +88,7 @@ internal static class Program
         }
         catch (Exception full) when (full is IOException or UnauthorizedAccessException)
         {
-            // files say so themselves, and a reader who leaves a pipe is no error; a full disk behind a redirection is
+            // errors of files are reported there, and a reader who closes a pipe is no error; a full disk behind a redirection is
             return Refuse("standard output: cannot be written: " + OneLine([full.Message]));
         }
         catch (FellShortException shortfall)
@@ -97,7 +97,7 @@ internal static class Program
         }
     }
 
-    /// <summary>The headings of the help are the library's own, and in English.</summary>
+    /// <summary>Replaces the headings of the library's help, which are English.</summary>
     private static int Help(ParseResult parsed, InvocationConfiguration configuration)
     {
         using StringWriter help = new();

@@ -1,8 +1,8 @@
 namespace RigidBodyDynamics.Lab.Bench;
 
 /// <summary>
-/// Steps written out by hand for one sum of effects, to see what the generic ones cost beside them. They must come to the
-/// same bits; a test says so.
+/// Steps written by hand for one sum of effects, to compare the cost of the generic ones with. Both give the same bits, which a
+/// test verifies.
 /// </summary>
 internal sealed class HandWritten
 {
@@ -24,14 +24,14 @@ internal sealed class HandWritten
 
     public BodyState State => _body;
 
-    /// <summary>Steps on from where it is, so many at a time.</summary>
+    /// <summary>Continues stepping from the present state, a number of steps at a time.</summary>
     public Func<Action<long>> Go()
     {
         long done = 0;
         return () => count => Step(done, done += count);
     }
 
-    /// <summary>Steps from one number to another.</summary>
+    /// <summary>Takes the steps of a range.</summary>
     public void Step(long first, long end)
     {
         for (long n = first; n < end; n++)

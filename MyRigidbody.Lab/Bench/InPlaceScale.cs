@@ -2,10 +2,10 @@ using System.Numerics;
 
 namespace RigidBodyDynamics.Lab.Bench;
 
-/// <summary>What the memory can do: every number read, multiplied and written back, as a step does with a body.</summary>
+/// <summary>The bandwidth of memory: every number is read, multiplied and written back, as in a step of a body.</summary>
 internal static class InPlaceScale
 {
-    /// <summary>Scales so many doubles, as often as asked.</summary>
+    /// <summary>Scales a number of doubles, as often as requested.</summary>
     public static Action<long> Of(int count, int threads)
     {
         double[] numbers = new double[count];

@@ -1,15 +1,15 @@
 namespace RigidBodyDynamics.Lab.Bench;
 
-/// <summary>What a game does with a simulation: it steps once a frame, and reads, pushes, sets, adds and removes one body of many.</summary>
+/// <summary>The operations of a game: one step a frame, and reading, pushing, setting, adding and removing one body of many.</summary>
 internal static class LivingSuite
 {
-    // so many a call, where the overhead of a call is not to be seen
+    // so many steps a call that the overhead of a call is negligible
     private const long Together = 1000;
 
-    // enough that none is in the cache when its turn comes again
+    // enough that no chosen body is still in the cache
     private const int Picks = 1 << 18;
 
-    /// <summary>A step a call and a thousand steps a call, and what an effect costs that pushes nothing.</summary>
+    /// <summary>One step a call and a thousand steps a call, and the cost of an effect that gives zero.</summary>
     public static IReadOnlyList<Measurement> Calls()
     {
         List<Measurement> all = [];
@@ -30,8 +30,8 @@ internal static class LivingSuite
         return all;
     }
 
-    /// <summary>What is done to one of many bodies that are stored together, chosen at random: most of them are not in the cache.</summary>
-    /// <param name="bodies">How many there are.</param>
+    /// <summary>Operations on one of many bodies that are stored together, chosen at random: most of them are not in the cache.</summary>
+    /// <param name="bodies">The number of bodies.</param>
     public static IReadOnlyList<Measurement> OneOf(int bodies)
     {
         Lazy<(Simulation Simulation, Body[] Bodies)> many = new(() => Many(bodies));
@@ -58,7 +58,7 @@ internal static class LivingSuite
         Measurement One(string what, Action<Simulation, Body> act) => new(NameOf(what, bodies), 1, 1, () => At(many.Value, act));
     }
 
-    /// <summary>The name of what is done to one of many.</summary>
+    /// <summary>The name of an operation on one of many bodies.</summary>
     public static string NameOf(string what, int bodies) => FormattableString.Invariant($"one of {bodies:N0}: {what}");
 
     private static Action<long> At((Simulation Simulation, Body[] Bodies) many, Action<Simulation, Body> act)
@@ -108,7 +108,7 @@ internal static class LivingSuite
         Start = new BodyState(Vector3d.Zero, Quaterniond.Identity, new Vector3d(1, 2, 3), new Vector3d(1, 1.1, 0.9)),
     };
 
-    /// <summary>A hand that could push and turn, and does not.</summary>
+    /// <summary>An effect that declares a force and a torque, and gives zero.</summary>
     private readonly struct NoPush : IPush
     {
         public EffectTraits Traits => EffectTraits.Moves | EffectTraits.Turns;

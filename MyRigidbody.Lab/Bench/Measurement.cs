@@ -2,11 +2,11 @@ using System.Diagnostics;
 
 namespace RigidBodyDynamics.Lab.Bench;
 
-/// <summary>Something whose steps are timed: all measurements of a group in turn, so that noise meets all of them alike.</summary>
-/// <param name="What">What it is, as in bench.csv.</param>
-/// <param name="Bodies">How many bodies each step moves.</param>
-/// <param name="Threads">By how many threads.</param>
-/// <param name="Make">Makes it anew and gives what takes a number of steps.</param>
+/// <summary>Something whose steps are timed: all measurements of a group alternately, so that noise affects all of them alike.</summary>
+/// <param name="What">Its name in bench.csv.</param>
+/// <param name="Bodies">The number of bodies that each step moves.</param>
+/// <param name="Threads">The number of threads.</param>
+/// <param name="Make">Creates it and returns a function that takes a number of steps.</param>
 internal sealed record Measurement(string What, int Bodies, int Threads, Func<Action<long>> Make)
 {
     private readonly List<double> _times = [];
@@ -19,14 +19,14 @@ internal sealed record Measurement(string What, int Bodies, int Threads, Func<Ac
     /// <summary>Half of the repeats lie between these, ns.</summary>
     public (double Low, double High) Spread => (Quantile(0.25), Quantile(0.75));
 
-    /// <summary>Bytes allocated by a step of all bodies, once warm; of all threads.</summary>
+    /// <summary>Bytes allocated by a step of all bodies, after warm-up; of all threads.</summary>
     public double BytesAllocated { get; private set; }
 
-    /// <summary>Takes the times of a group.</summary>
-    /// <param name="group">What is compared.</param>
-    /// <param name="repeats">How often each is timed.</param>
-    /// <param name="seconds">For how long, each time.</param>
-    /// <param name="report">Told the fraction that is done.</param>
+    /// <summary>Times a group.</summary>
+    /// <param name="group">The measurements to compare.</param>
+    /// <param name="repeats">The number of repeats.</param>
+    /// <param name="seconds">The duration of each, s.</param>
+    /// <param name="report">Receives the finished fraction.</param>
     public static void Take(IReadOnlyList<Measurement> group, int repeats, double seconds, Action<double> report)
     {
         foreach (Measurement measurement in group)
@@ -45,18 +45,18 @@ internal sealed record Measurement(string What, int Bodies, int Threads, Func<Ac
     }
 
     /// <summary>
-    /// How many times as long as another of its group: the shortest of the repeats, in each of which both ran, since what else the
-    /// machine does only ever adds.
+    /// The ratio to another measurement of its group: of the shortest repeats, in each of which both ran, because other programs
+    /// only add time.
     /// </summary>
     public double RatioTo(Measurement other) => _times.Min() / other._times.Min();
 
-    /// <summary>How many times as long every second repeat took as the others between them; more or less than once where the machine was busy.</summary>
+    /// <summary>The ratio of every second repeat to the others: differs from one where the machine was busy.</summary>
     public double RatioToItself => _times.Where((_, i) => i % 2 == 1).Min() / _times.Where((_, i) => i % 2 == 0).Min();
 
     private void WarmUp(double seconds)
     {
         _steps = Make();
-        // long enough for a runtime that compiles again what runs often, whatever else the machine does, and to know how many steps
+        // long enough for the runtime to optimise, whatever else the machine does, and to find how many steps
         // fill the time
         Stopwatch clock = Stopwatch.StartNew();
         TimeSpan before = Environment.CpuUsage.TotalTime;
@@ -66,7 +66,7 @@ internal sealed record Measurement(string What, int Bodies, int Threads, Func<Ac
             double start = clock.Elapsed.TotalSeconds;
             _steps(_chunk);
             last = (clock.Elapsed.TotalSeconds - start) / _chunk;
-            // many short calls: a runtime counts them before it compiles well
+            // many short calls, because a runtime counts calls before it optimises
             _chunk = last * _chunk < 1e-3 ? Math.Min(2 * _chunk, 1 << 16) : _chunk;
         }
 

@@ -5,13 +5,13 @@ namespace RigidBodyDynamics.Lab.Bench;
 
 /// <summary>
 /// One body on CoreCLR and on Mono, the runtime of Unity's editor. A process has one runtime, so a program of its own
-/// (tests/MyRigidbody.StepTimes) takes the times on each, one after the other.
+/// (tests/MyRigidbody.StepTimes) measures on each, one after the other.
 /// </summary>
-/// <param name="Times">What was timed on both; empty if there is a problem.</param>
+/// <param name="Times">The times on both; empty if there is a problem.</param>
 /// <param name="Problem">Why there are no times, in one line; empty if there are.</param>
 internal sealed record OnMono(IReadOnlyList<OnMono.Row> Times, string Problem)
 {
-    // a busy machine may take several times the ten seconds
+    // a busy machine may need several times the usual ten seconds
     private static readonly TimeSpan Patience = TimeSpan.FromSeconds(120);
 
     /// <summary>The program's folder beside the one that this runs from: bin/PROJECT/release, bin/PROJECT/release_net472.</summary>
@@ -21,9 +21,9 @@ internal sealed record OnMono(IReadOnlyList<OnMono.Row> Times, string Problem)
         return Path.GetFullPath(Path.Combine(own.FullName, "..", "..", "MyRigidbody.StepTimes", own.Name + "_" + framework));
     }
 
-    /// <summary>Takes the times, if Mono is on the PATH and the program was built.</summary>
-    /// <param name="repeats">How often each is timed.</param>
-    /// <param name="report">Told the fraction that is done.</param>
+    /// <summary>Measures, if Mono is on the PATH and the program was built.</summary>
+    /// <param name="repeats">The number of repeats.</param>
+    /// <param name="report">Receives the finished fraction.</param>
     public static OnMono Take(int repeats, Action<double> report)
     {
         string exe = Path.Combine(Built("net472"), "MyRigidbody.StepTimes.exe"), dll = Path.Combine(Built("net10.0"), "MyRigidbody.StepTimes.dll");
@@ -42,13 +42,13 @@ internal sealed record OnMono(IReadOnlyList<OnMono.Row> Times, string Problem)
         if (onMono.Problem.Length > 0)
             return Without(onMono.Problem);
 
-        // compiled as the command line itself is
+        // with the compiler settings of the command line
         OtherProgram onCoreClr = OtherProgram.Run(dotnet, [dll, .. arguments], new Dictionary<string, string> { ["DOTNET_TieredPGO"] = "0" }, Patience);
         report(1);
         return onCoreClr.Problem.Length > 0 ? Without(onCoreClr.Problem) : Of(onCoreClr.Output, onMono.Output);
     }
 
-    /// <summary>What both programs printed a time for.</summary>
+    /// <summary>The rows for which both programs printed a time.</summary>
     public static OnMono Of(string coreClr, string mono)
     {
         Dictionary<string, double> times = Parse(mono);
@@ -56,7 +56,7 @@ internal sealed record OnMono(IReadOnlyList<OnMono.Row> Times, string Problem)
         return rows.Count > 0 ? new OnMono(rows, string.Empty) : Without("the two programs printed no time of the same name");
     }
 
-    /// <summary>As people read it.</summary>
+    /// <summary>The table for the terminal.</summary>
     public TextTable Table()
     {
         TextTable table = new("One body on CoreCLR and on Mono", "CoreCLR, ns", "Mono, ns", "ratio");
@@ -69,7 +69,7 @@ internal sealed record OnMono(IReadOnlyList<OnMono.Row> Times, string Problem)
         return table;
     }
 
-    /// <summary>Lines for bench.csv; what a step allocates there is not known.</summary>
+    /// <summary>Lines for bench.csv; the allocation of a step there is not known.</summary>
     public string Csv() => string.Concat(Times.Select(row => string.Create(CultureInfo.InvariantCulture, $"\"{row.What}, on Mono\",1,1,{row.Mono:R},\n")));
 
     /// <summary>Name and time of each line that has both: the name ends at the last comma.</summary>
@@ -88,8 +88,8 @@ internal sealed record OnMono(IReadOnlyList<OnMono.Row> Times, string Problem)
 
     private static OnMono Without(string problem) => new([], problem);
 
-    /// <summary>A step on either.</summary>
-    /// <param name="What">What it is, as in bench.csv.</param>
+    /// <summary>The time of a step on each runtime.</summary>
+    /// <param name="What">Its name in bench.csv.</param>
     /// <param name="CoreClr">On CoreCLR, ns.</param>
     /// <param name="Mono">On Mono, ns.</param>
     internal sealed record Row(string What, double CoreClr, double Mono);

@@ -5,21 +5,21 @@ using RigidBodyDynamics.Lab.Package;
 namespace RigidBodyDynamics.Lab.Bench;
 
 /// <summary>
-/// A thousand bodies that turn freely, by our rules and by the engines that npm has as WebAssembly or JavaScript.
+/// A thousand bodies that rotate freely, by our integrators and by the engines that npm has as WebAssembly or JavaScript.
 /// Node runs those (tests/engines), in a process of its own and after our times were taken.
 /// </summary>
 /// <param name="Rows">Ours, then the others; empty if there is a problem.</param>
 /// <param name="Problem">Why there are none, in one line; empty if there are.</param>
 internal sealed record OtherEngines(IReadOnlyList<OtherEngines.Row> Rows, string Problem)
 {
-    /// <summary>In how large a world each body is timed.</summary>
+    /// <summary>The number of bodies in the world in which each is timed.</summary>
     public const int Bodies = 1000;
 
     private const string Folder = "tests/engines";
     private const double Step = 0.02, Until = 100;
     private static readonly TimeSpan Patience = TimeSpan.FromSeconds(300);
 
-    // as Suite.Many calls them
+    // the names of Suite.Many
     private static readonly (string Shown, string What, string Rule)[] Ours =
     [
         ("MyRigidbody, LabEuler, one by one", "LabEuler, one by one", "LabEuler"),
@@ -28,9 +28,9 @@ internal sealed record OtherEngines(IReadOnlyList<OtherEngines.Row> Rows, string
         ("MyRigidbody, Exact, together", "Exact, three moments, together", "Exact"),
     ];
 
-    /// <summary>Takes the times, if Node is on the PATH and the engines were installed.</summary>
-    /// <param name="ours">What was timed of ours.</param>
-    /// <param name="repeats">How often each is timed.</param>
+    /// <summary>Measures, if Node is on the PATH and the engines were installed.</summary>
+    /// <param name="ours">Our times.</param>
+    /// <param name="repeats">The number of repeats.</param>
     public static OtherEngines Take(IEnumerable<Measurement> ours, int repeats)
     {
         if (OtherProgram.OnPath("node") is not string node)
@@ -54,7 +54,7 @@ internal sealed record OtherEngines(IReadOnlyList<OtherEngines.Row> Rows, string
         return Of(measured, others.Output);
     }
 
-    /// <summary>Ours, and what the other program printed a time and an error of.</summary>
+    /// <summary>Our rows, and those for which the other program printed a time and an error.</summary>
     public static OtherEngines Of(IEnumerable<Row> ours, string others)
     {
         List<Row> theirs = [.. others.Split('\n').Select(line => line.Split(',')).Where(cells => cells.Length == 3)
@@ -63,7 +63,7 @@ internal sealed record OtherEngines(IReadOnlyList<OtherEngines.Row> Rows, string
         return theirs.Count > 0 ? new OtherEngines([.. ours, .. theirs], string.Empty) : Without("the other program printed no times");
     }
 
-    /// <summary>As people read it.</summary>
+    /// <summary>The table for the terminal.</summary>
     public TextTable Table()
     {
         TextTable table = new("A thousand free bodies, beside other engines", "ns a step", "off within 100 s, rad");
@@ -73,13 +73,13 @@ internal sealed record OtherEngines(IReadOnlyList<OtherEngines.Row> Rows, string
         return table;
     }
 
-    /// <summary>A file of its own: engine, time of a step of one body, and how far it is from where it should be.</summary>
+    /// <summary>A file of its own: engine, time of a step of one body, and error of its orientation.</summary>
     public string Csv() => "engine,nanosecondsPerBodyStep,angleError\n"
         + string.Concat(Rows.Select(row => string.Create(CultureInfo.InvariantCulture, $"\"{row.Engine}\",{row.Nanoseconds:R},{row.AngleError:R}\n")));
 
     private static double Error(CostMotion motion, string rule)
     {
-        // what run gives, at its worst: one end value may be luck
+        // the largest error of a run, because one at the end may be small by chance
         Simulation simulation = new(StepFree.By(motion.Scene, Rules.Named(rule), TimeSteps.Every(Step)));
         double worst = 0;
         foreach (TruthSample sample in motion.Truth.Samples)
@@ -96,8 +96,8 @@ internal sealed record OtherEngines(IReadOnlyList<OtherEngines.Row> Rows, string
     private static OtherEngines Without(string problem) => new([], problem);
 
     /// <summary>An engine.</summary>
-    /// <param name="Engine">Its name and version, or our rule.</param>
+    /// <param name="Engine">Its name and version, or our integrator.</param>
     /// <param name="Nanoseconds">For a step of one body in a world of <see cref="Bodies"/>.</param>
-    /// <param name="AngleError">How far one body is off, rad, in steps of 1/50 s: by our rules at most within 100 s, by an engine after them.</param>
+    /// <param name="AngleError">Error of the orientation of one body, rad, with steps of 1/50 s: for our integrators the largest within 100 s, for an engine that after 100 s.</param>
     internal sealed record Row(string Engine, double Nanoseconds, double AngleError);
 }

@@ -4,12 +4,12 @@ using System.Text;
 
 namespace RigidBodyDynamics.Lab.Bench;
 
-/// <summary>What another program had to say, once it has ended.</summary>
+/// <summary>The output of another program, after it has ended.</summary>
 /// <param name="Output">What it printed; empty if there is a problem.</param>
 /// <param name="Problem">Why there is no output, in one line; empty if there is.</param>
 internal sealed record OtherProgram(string Output, string Problem)
 {
-    /// <summary>Runs a program and never waits longer than asked: it is ended then.</summary>
+    /// <summary>Runs a program for at most a given time; then it is killed.</summary>
     public static OtherProgram Run(string program, IEnumerable<string> arguments, IReadOnlyDictionary<string, string> environment, TimeSpan patience)
     {
         ProcessStartInfo start = new(program, arguments)
@@ -30,7 +30,7 @@ internal sealed record OtherProgram(string Output, string Problem)
         {
             using Process process = Process.Start(start)!;
             process.StandardInput.Close();
-            // both are read at once: a program that fills one while the other is read would wait for ever
+            // both are read at once: a program that fills one pipe while the other is read would wait for ever
             Task<string> output = process.StandardOutput.ReadToEndAsync(), error = process.StandardError.ReadToEndAsync();
             if (!Task.WaitAll([output, error], patience) || !process.WaitForExit(patience))
             {

@@ -3,10 +3,10 @@ using RigidBodyDynamics.Lab.Output;
 
 namespace RigidBodyDynamics.Lab.Bench;
 
-/// <summary>What the times mean: ratios within one run, of what was timed in turns.</summary>
+/// <summary>Ratios of times within one run, of measurements taken alternately.</summary>
 internal static class Ratios
 {
-    /// <summary>The names of what is compared, so that a test can see to it that they are measured.</summary>
+    /// <summary>The names of the compared measurements, so that a test can ensure that they are taken.</summary>
     public static IEnumerable<string> Names =>
         Single().Select(ratio => (ratio.Of, ratio.To)).Concat(Many().Select(ratio => (ratio.Of, ratio.To)))
             .SelectMany(pair => new[] { pair.Of, pair.To }).Distinct();
@@ -48,8 +48,8 @@ internal static class Ratios
     }
 
     /// <summary>
-    /// Whether the ratios can be believed: how far measurements came from themselves, every second repeat against those between. What does not stay
-    /// in a cache comes out a little otherwise on a quiet machine too, so one in twenty may be off.
+    /// Whether the ratios are reliable: the ratio of every second repeat of a measurement to the others. Data larger than a cache varies a
+    /// little on a quiet machine, too, so one measurement in twenty may deviate.
     /// </summary>
     public static string Quiet(IEnumerable<(string What, double RatioToItself)> all)
     {

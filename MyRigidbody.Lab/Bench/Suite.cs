@@ -1,14 +1,14 @@
 namespace RigidBodyDynamics.Lab.Bench;
 
-/// <summary>What bench measures: groups of things that are compared with each other.</summary>
+/// <summary>The measurements of bench: groups that are compared.</summary>
 internal static class Suite
 {
     private const double Step = 0.02;
 
-    // an effect that is in the scene and does not act before the bench is long over
+    // the start of an effect that is in the scene and does not act during the bench
     private const double Never = 1e8;
 
-    /// <summary>The lab's step by the library and written out by hand.</summary>
+    /// <summary>The lab's step by the library and written by hand.</summary>
     public static IReadOnlyList<Measurement> ByHand()
     {
         Vector3d gravity = new(0, -9.81, 0), force = new(5, 1, 2);
@@ -21,13 +21,13 @@ internal static class Suite
         ];
     }
 
-    /// <summary>A body that nothing pushes by every rule.</summary>
+    /// <summary>A body without pushes, by every integrator.</summary>
     public static IReadOnlyList<Measurement> ByRule() =>
         [.. Rules.All.Select(rule => Alone("free body by " + rule.Name, Body(rule.Name, new Vector3d(1, 2, 3))))];
 
     /// <summary>
-    /// A torque, constant and swinging, by the exact rule and by the classical one: its first twenty seconds again and again. A body that it went
-    /// on turning would soon spin so fast that the classical rule shows nothing of the motion any more, at the price of a slow one's.
+    /// A torque, constant and oscillating, by Exact and by RungeKutta4: its first twenty seconds again and again. A body under a lasting torque
+    /// would soon rotate so fast that RungeKutta4 no longer follows the motion, though its cost stays the same.
     /// </summary>
     public static IReadOnlyList<Measurement> Torques() =>
     [
@@ -40,7 +40,7 @@ internal static class Suite
            select new Measurement($"{rule}, {torque.Item1}", 1, 1, () => Again(Of(Body(rule, new Vector3d(1, 2, 3)).With(torque.Item2), Omissions.None), 1000)),
     ];
 
-    /// <summary>Each effect on, in the scene but idle, and absent.</summary>
+    /// <summary>Each effect acting, in the scene but idle, and absent.</summary>
     public static IReadOnlyList<Measurement> Effects()
     {
         (string Name, Func<BodyDescription, double, BodyDescription> With)[] effects =
@@ -66,7 +66,7 @@ internal static class Suite
         ];
     }
 
-    /// <summary>What a body is decides what it costs.</summary>
+    /// <summary>The cost of bodies of different symmetry.</summary>
     public static IReadOnlyList<Measurement> Shapes()
     {
         BodyDescription held = General(), asleep = Body("UnityRigidbody", new Vector3d(1, 2, 3));
@@ -86,7 +86,7 @@ internal static class Suite
         ];
     }
 
-    /// <summary>A velocity that has been damped for a hundred thousand steps against a fresh one.</summary>
+    /// <summary>A velocity that has been damped for a hundred thousand steps, and a new one.</summary>
     public static IReadOnlyList<Measurement> Denormals() =>
     [
         .. from rule in new[] { "LabEuler", "Exact" }
@@ -95,12 +95,12 @@ internal static class Suite
            {
                Simulation simulation = Of(Body(rule, new Vector3d(1, 2, 3)).With(new DecayPerStep(0.98, 0.98)), Omissions.None);
                simulation.Step(steps);
-               // so that a fresh one stays fresh
+               // restarted often, so that its velocity stays far from zero
                return Again(simulation, 200);
            }),
     ];
 
-    /// <summary>Many bodies one by one and together, by one thread and two, and what the memory can do.</summary>
+    /// <summary>Many bodies one by one and together, by one thread and two, and the bandwidth of memory.</summary>
     public static IReadOnlyList<Measurement> Many(int bodies)
     {
         List<Measurement> all = [];
@@ -128,10 +128,10 @@ internal static class Suite
     private static Measurement Alone(string what, BodyDescription body, Omissions mayLeaveOut = Omissions.All & ~Omissions.Coasting) =>
         new(what, 1, 1, () => Of(body, mayLeaveOut).Step);
 
-    // a step a call, as a game would: many in one call cost no more than one
+    // one step a call, as in a game, so that coasting saves nothing within a call
     private static Measurement Unseen(string what, BodyDescription body) => new(what, 1, 1, () => OneByOne(Of(body, Omissions.All).Step));
 
-    /// <summary>So many steps from where it is, again and again.</summary>
+    /// <summary>A number of steps from the present state, again and again.</summary>
     private static Action<long> Again(Simulation simulation, long steps)
     {
         SavedSimulation saved = simulation.Save();
@@ -178,7 +178,7 @@ internal static class Suite
         return simulation;
     }
 
-    // spread a little, so that no two bodies do the same
+    // different starts, so that no two bodies move alike
     private static BodyState Start(int i, BodyDescription body)
     {
         BodyState start = body.Start;

@@ -6,7 +6,7 @@ using RigidBodyDynamics.Lab.Output;
 
 namespace RigidBodyDynamics.Lab.Commands;
 
-/// <summary>Takes the time of everything, each thing beside what it is to be compared with.</summary>
+/// <summary>Times everything, each thing together with what it is compared with.</summary>
 internal static class BenchCommand
 {
     private const string DefaultFile = "out/bench.csv", EnginesFile = "engines.csv";

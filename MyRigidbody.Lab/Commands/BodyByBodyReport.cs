@@ -3,10 +3,10 @@ using RigidBodyDynamics.Lab.Output;
 
 namespace RigidBodyDynamics.Lab.Commands;
 
-/// <summary>What <c>choose</c> says of the bodies of a scene, each by itself.</summary>
+/// <summary>The advice of <c>choose</c> for the bodies of a scene, each alone.</summary>
 internal static class BodyByBodyReport
 {
-    /// <summary>A row a body, and what choosing so saves.</summary>
+    /// <summary>One row for each body, and what separate choices save.</summary>
     public static void Print(SceneDescription scene, double error, Advice forAll, BodyByBody found)
     {
         bool sharesStep = found.OneStep.Count > 0;
@@ -52,7 +52,7 @@ internal static class BodyByBodyReport
         secondsPerSimulatedSecond = OrNull(own.Best.Cost),
     });
 
-    /// <summary>What a scene file can say; null where no step is short enough for all.</summary>
+    /// <summary>The common step, as a scene file can have it; null where no step is short enough for all.</summary>
     public static object? OneStep(SceneDescription scene, BodyByBody found) => found.OneStep.Count == 0 ? null : new
     {
         step = found.OneStep[0].Step,
@@ -65,7 +65,7 @@ internal static class BodyByBodyReport
         }),
     };
 
-    /// <summary>Seconds per simulated second of all bodies; null where a body is not kept below the bound.</summary>
+    /// <summary>Seconds per simulated second of all bodies; null where a body has no integrator below the bound.</summary>
     public static object Together(BodyByBody found) => new
     {
         oneRule = found.OneRule.Count > 0 ? OrNull(BodyByBody.CostOf(found.OneRule)) : null,
@@ -88,7 +88,7 @@ internal static class BodyByBodyReport
 
         if (found.OneStep.Count > 0)
         {
-            // all digits: it is to be written into the file
+            // all digits, because the number is copied into the file
             string step = found.OneStep[0].Step.ToString("R", CultureInfo.InvariantCulture);
             yield return Line(BodyByBody.CostOf(found.OneStep), $"in one scene, whose file then says \"step\": {step} and the integrators on the right");
         }

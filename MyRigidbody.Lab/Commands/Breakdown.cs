@@ -1,11 +1,11 @@
 namespace RigidBodyDynamics.Lab.Commands;
 
-/// <summary>What breaks while a scene runs, as an error of its file.</summary>
+/// <summary>Turns an exception of a running scene into an error of its file.</summary>
 internal static class Breakdown
 {
     /// <summary>
-    /// Runs something. An effect that broke is bad input (exit code 2) and named by its place in the file; a rule that ran away
-    /// from the scene has fallen short (1).
+    /// Runs something. An effect that failed is bad input (exit code 2), named by its place in the file; an integration that diverged
+    /// is a result that fell short (1).
     /// </summary>
     public static T Placed<T>(string path, SceneDescription scene, Func<T> run)
     {
@@ -30,11 +30,11 @@ internal static class Breakdown
         return true;
     });
 
-    /// <summary>Which body ran away, when, under what.</summary>
+    /// <summary>The body that diverged, the time and the effects.</summary>
     public static string InWords(StateOverflowException lost) =>
         $"body {(lost.Handle is Body one ? ManyBodies.NameOf(one) : lost.Body)}: {lost.Reason}";
 
-    /// <summary>Commands run bodies under other names and with some of their effects only; an effect stays the one it is.</summary>
+    /// <summary>Commands run bodies under other names and with some of their effects only; the place of an effect stays.</summary>
     private static string PlaceOf(BrokenEffectException broken, SceneDescription scene)
     {
         for (int body = 0; body < scene.Bodies.Count; body++)

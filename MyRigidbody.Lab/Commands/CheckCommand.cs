@@ -8,7 +8,7 @@ using RigidBodyDynamics.StudentScripts;
 
 namespace RigidBodyDynamics.Lab.Commands;
 
-/// <summary>Tells a student which of the five steps of a script is off, without Unity.</summary>
+/// <summary>Tells a student which of the five steps of a script is wrong, without Unity.</summary>
 internal static class CheckCommand
 {
     public static Command Create()
@@ -45,7 +45,7 @@ internal static class CheckCommand
             }
             catch (InputException gone)
             {
-                // an editor may be between taking the old file away and writing the new one
+                // an editor may have deleted the old file and not yet written the new one
                 Terminal.Note(gone.Message);
             }
         }

@@ -7,7 +7,7 @@ using RigidBodyDynamics.Lab.Report;
 
 namespace RigidBodyDynamics.Lab.Commands;
 
-/// <summary>The cheapest integrator and step that keep the error of a scene below a bound, and of each body by itself.</summary>
+/// <summary>The cheapest integrator and step that keep the error of a scene below a bound, and those for each body alone.</summary>
 internal static class ChooseCommand
 {
     private const double SecondsPerTurn = 0.001;
@@ -43,10 +43,10 @@ internal static class ChooseCommand
         BodyByBody? each = null;
         Breakdown.Placed(path, scene, () => Terminal.WithProgress("choose " + scene.Name, report =>
         {
-            // one body by itself is the whole scene
+            // a scene of one body has no separate choice
             double share = scene.Bodies.Count == 1 ? 1 : 0.5;
             advice = Overrides.Named(path, () => Advisor.Choose(scene, error, done => report(share * done)));
-            // the lab's step beside the chosen one, in turns
+            // the lab's step and the chosen one, timed alternately
             lab = Trial.Of(scene, advice.Truth, Rules.LabEuler, advice.Best.Step);
             StepClock.Take([lab, advice.Best], SecondsPerTurn, Turns);
             if (scene.Bodies.Count > 1)

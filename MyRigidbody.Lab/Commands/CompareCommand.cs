@@ -6,13 +6,13 @@ using RigidBodyDynamics.Lab.Report;
 
 namespace RigidBodyDynamics.Lab.Commands;
 
-/// <summary>MyRigidbody beside DefaultRigidbody: the motion, how far they part, and which rule makes how much of it.</summary>
+/// <summary>MyRigidbody beside DefaultRigidbody: the motions, how far they are apart, and the share of each rule in that.</summary>
 internal static class CompareCommand
 {
-    /// <summary>Where results go if nothing else is said.</summary>
+    /// <summary>The default folder for results.</summary>
     public const string DefaultFolder = "out";
 
-    /// <summary>How far a recording may be from the simulation, m, rad and their rates.</summary>
+    /// <summary>The default limit for the difference between a recording and the simulation, m, rad and their rates.</summary>
     public const double DefaultTolerance = 1e-3;
 
     private const long MostSteps = 5_000_000;
@@ -20,7 +20,7 @@ internal static class CompareCommand
     // four pictures each, and some twenty bodies that are stepped
     private const int MostPairs = 100;
 
-    // measured: what is kept of each step while a frame rate is summed up, bytes
+    // measured: memory for each step while the motion at a frame rate is summed, bytes
     private const double BytesOfStep = 150;
 
     public static Command Create()

@@ -30,7 +30,7 @@ internal static class CostCommand
 
     private static int Execute(string[] paths, string folder, bool quick)
     {
-        // what is wrong is refused before minutes are spent
+        // bad input is refused before a measurement of minutes
         foreach (string path in paths)
         {
             Overrides.Named(path, () => StepFree.Of(SceneReader.Read(path).Told().Scene));
@@ -77,7 +77,7 @@ internal static class CostCommand
         files.Keep();
     }
 
-    /// <summary>A name that every system takes; scenes may be called alike, and anything.</summary>
+    /// <summary>A file name that every system accepts; names of scenes may repeat, and contain anything.</summary>
     private static string FileName(string scene, HashSet<string> taken)
     {
         string plain = string.Concat(scene.Take(60).Select(letter => char.IsLetterOrDigit(letter) || letter is '-' or '_' ? letter : '-'));

@@ -6,7 +6,7 @@ using RigidBodyDynamics.Lab.Output;
 
 namespace RigidBodyDynamics.Lab.Commands;
 
-/// <summary>What each body's motion consists of, what was left out and why, and what that saves.</summary>
+/// <summary>The parts of each body's motion, what was left out and why, and the time that this saves.</summary>
 internal static class ExplainCommand
 {
     // each takes about half a second
@@ -101,7 +101,7 @@ internal static class ExplainCommand
 
         public IReadOnlyList<Saving> Savings { get; set; } = Saving.NotMeasured(Explanation.Omitted);
 
-        /// <summary>False for those after the first few: a scene of many would be measured for hours.</summary>
+        /// <summary>False after the first few bodies, because measuring a scene of many would take hours.</summary>
         public bool IsMeasured { get; set; }
 
         public IEnumerable<string> Lines()

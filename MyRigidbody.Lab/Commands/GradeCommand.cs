@@ -11,7 +11,7 @@ using RigidBodyDynamics.StudentScripts;
 
 namespace RigidBodyDynamics.Lab.Commands;
 
-/// <summary>Judges what a class has handed in.</summary>
+/// <summary>Judges the submissions of a class.</summary>
 internal static class GradeCommand
 {
     private static readonly string DefaultFolder = Path.Combine(CompareCommand.DefaultFolder, "grade");

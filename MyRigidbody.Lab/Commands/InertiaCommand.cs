@@ -5,7 +5,7 @@ using RigidBodyDynamics.Lab.Output;
 
 namespace RigidBodyDynamics.Lab.Commands;
 
-/// <summary>Mass, centre, moments and frame of the bodies of a file, and what is wrong with them.</summary>
+/// <summary>Mass, centre, moments and frame of the bodies of a file, and the errors in them.</summary>
 internal static class InertiaCommand
 {
     public static Command Create()

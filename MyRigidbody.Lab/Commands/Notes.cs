@@ -2,10 +2,10 @@ using RigidBodyDynamics.Lab.Output;
 
 namespace RigidBodyDynamics.Lab.Commands;
 
-/// <summary>What a command says on standard error about the scene that it was given.</summary>
+/// <summary>The notes of a command about its scene, on standard error.</summary>
 internal static class Notes
 {
-    /// <summary>Says what the user should know of the scene's bodies, and goes on with it.</summary>
+    /// <summary>Prints the notes about the scene's bodies, and returns it.</summary>
     public static SceneFile Told(this SceneFile file)
     {
         foreach ((string body, IReadOnlyList<string> notes) in file.Notes)

@@ -3,7 +3,7 @@ using System.Globalization;
 
 namespace RigidBodyDynamics.Lab.Commands;
 
-/// <summary>Numbers on the command line, with a point in every country: in 1,5 the comma would be taken for a separator of thousands.</summary>
+/// <summary>Numbers on the command line, always with a decimal point: in 1,5 the comma would be read as a separator of thousands.</summary>
 internal static class Numbers
 {
     /// <summary>The number of an option.</summary>

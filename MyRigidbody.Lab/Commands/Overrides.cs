@@ -1,6 +1,6 @@
 namespace RigidBodyDynamics.Lab.Commands;
 
-/// <summary>What the command line sets in place of what the scene says.</summary>
+/// <summary>Options of the command line that replace values of the scene.</summary>
 internal static class Overrides
 {
     /// <summary>The scene with another integrator, another step, or both, for every body.</summary>
@@ -30,7 +30,7 @@ internal static class Overrides
         return new SceneDescription(scene.Name, scene.About, steps, scene.Bodies);
     }
 
-    /// <summary>The simulation of a scene; what the Core refuses is an error of the file.</summary>
+    /// <summary>The simulation of a scene; an exception of the Core becomes an error of the file.</summary>
     public static Simulation Start(string path, SceneDescription scene)
     {
         try
@@ -43,14 +43,14 @@ internal static class Overrides
         }
     }
 
-    /// <summary>Tries something; what the Core refuses is an error of the option or file of that name.</summary>
+    /// <summary>Runs something; an exception of the Core becomes an error of the option or file of that name.</summary>
     internal static void Named(string option, Action attempt) => Named(option, () =>
     {
         attempt();
         return true;
     });
 
-    /// <summary>Makes something; what the Core refuses is an error of the option or file of that name.</summary>
+    /// <summary>Creates something; an exception of the Core becomes an error of the option or file of that name.</summary>
     internal static T Named<T>(string option, Func<T> make)
     {
         try

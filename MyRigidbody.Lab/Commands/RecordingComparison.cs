@@ -7,7 +7,7 @@ using RigidBodyDynamics.Lab.Report;
 
 namespace RigidBodyDynamics.Lab.Commands;
 
-/// <summary>How far our UnityRigidbody is from a recorded Rigidbody, or the lab's rule from a recorded script, and where it first parts.</summary>
+/// <summary>The distance of our UnityRigidbody from a recorded Rigidbody, or of LabEuler from a recorded script, and the first difference.</summary>
 internal sealed class RecordingComparison
 {
     private static readonly (string Name, string Unit, int First, int Count)[] AllParts =
@@ -18,7 +18,7 @@ internal sealed class RecordingComparison
     private readonly List<Compared> _course = [];
     private string? _parts;
 
-    // of a script's velocity nothing is known but what the poses say again
+    // a script's velocities are only differences of its poses
     private RecordingComparison(Recording recording)
     {
         _judged = recording.IsOfScript ? AllParts[..2] : AllParts;
@@ -27,7 +27,7 @@ internal sealed class RecordingComparison
 
     private double Farthest => _farthest.Max();
 
-    /// <summary>Compares, prints, writes; an exception if the simulation is farther than the tolerance.</summary>
+    /// <summary>Compares, prints, writes; throws if the difference exceeds the tolerance.</summary>
     public static int Execute(SceneFile file, Recording recording, string folder, double tolerance)
     {
         if (!(tolerance >= 0))
@@ -110,7 +110,7 @@ internal sealed class RecordingComparison
             {
                 double difference = Math.Abs(ours[i] - theirs[i]);
                 _farthest[part] = difference > _farthest[part] || double.IsNaN(difference) ? difference : _farthest[part];
-                // equal numbers have equal bits, but for the sign of zero, which recordings do not keep
+                // equal numbers have equal bits, except for the sign of zero, which recordings do not keep
                 if ((float)ours[i] != theirs[i])
                 {
                     _parts ??= string.Create(CultureInfo.InvariantCulture, $"step {row}, {Recording.Columns[i]}: {(float)ours[i]:R} here, {theirs[i]:R} recorded");

@@ -10,10 +10,10 @@ internal static class RunCommand
 {
     private const long StepsAtFirst = 50_000, MillisecondsOfPiece = 50;
 
-    // a run whose first second shows that it would take longer than a year is a slip in the length of the step
+    // a run that would take more than a year, estimated after its first second, has a wrong step length
     private const double MillisecondsTillEstimate = 1000, MostMilliseconds = 3.15e10;
 
-    // a reader who waits is served, and one who has left is noticed
+    // often enough for a reader that waits, and to notice one that has closed the pipe
     private const long MillisecondsBetweenFlushes = 200;
 
     public static Command Create()
@@ -119,7 +119,7 @@ internal static class RunCommand
             {
                 long began = Environment.TickCount64;
                 simulation.Step(Math.Min(next - simulation.StepsDone, piece));
-                // bodies that coast take 2⁶³ steps as quickly as one
+                // coasting bodies take 2⁶³ steps as fast as one
                 piece = Environment.TickCount64 - began < MillisecondsOfPiece ? Math.Min(piece, long.MaxValue / 2) * 2 : Math.Max(piece / 2, StepsAtFirst);
                 report((double)simulation.StepsDone / count);
                 MustEnd(path, Environment.TickCount64 - started, simulation.StepsDone, count);
@@ -146,5 +146,5 @@ internal static class RunCommand
             throw new InputException(FormattableString.Invariant($"{path}: steps: {count} of them would take {all / MostMilliseconds:g2} years here"));
     }
 
-    /// <summary>A row of a table is written only if all of it is finite: states are, and a mass may be too large for their energy.</summary>
+    /// <summary>Writes a row only if all of it is finite: states are, but their energy may overflow for a large mass.</summary>
 }

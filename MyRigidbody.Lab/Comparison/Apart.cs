@@ -1,16 +1,16 @@
 namespace RigidBodyDynamics.Lab.Comparison;
 
-/// <summary>How far two bodies are from each other at one time.</summary>
+/// <summary>The difference of two bodies at one time.</summary>
 /// <param name="Time">s.</param>
 /// <param name="Distance">Between the two positions, m.</param>
-/// <param name="Angle">Of the turn from one orientation to the other, rad, 0 to π: what the eye sees.</param>
+/// <param name="Angle">Of the rotation from one orientation to the other, rad, 0 to π.</param>
 /// <param name="Turn">
-/// How much further one has turned than the other since the start, rad. The angle comes back to zero after a whole
-/// turn; this does not, so it is what is shared out among the rules.
+/// The difference of the angles by which the two have turned since the start, rad. The angle between orientations returns to zero after a
+/// whole revolution and this does not, so this is what the rules have shares in.
 /// </param>
 internal readonly record struct Moment(double Time, double Distance, double Angle, double Turn);
 
-/// <summary>How far two bodies are from each other over a whole run.</summary>
+/// <summary>The difference of two bodies over a whole run.</summary>
 internal sealed class Apart
 {
     private long _count;
@@ -19,16 +19,16 @@ internal sealed class Apart
     /// <summary>Mean distance over all steps, m.</summary>
     public double MeanDistance => _distance / _count;
 
-    /// <summary>Mean of how much further one has turned, rad.</summary>
+    /// <summary>Mean of the difference of the turns, rad.</summary>
     public double MeanTurn => _turn / _count;
 
-    /// <summary>The largest distance, angle and turn, each whenever it came.</summary>
+    /// <summary>The largest distance, angle and turn, each at its own time.</summary>
     public Moment Farthest { get; private set; }
 
-    /// <summary>The last moment.</summary>
+    /// <summary>The difference at the end.</summary>
     public Moment Last { get; private set; }
 
-    /// <summary>Takes in the moment after a step.</summary>
+    /// <summary>Adds the difference after a step.</summary>
     public void Add(Moment now)
     {
         _count++;

@@ -10,7 +10,7 @@ internal static class ComparePictures
 {
     private static readonly Color Blue = Color.FromHex("#1f5fa8"), Orange = Color.FromHex("#c8550a");
 
-    /// <summary>Distance and angle over time; solid and dashed, so that they can be told apart without colour.</summary>
+    /// <summary>Distance and angle over time; solid and dashed, so that they can be distinguished without colour.</summary>
     public static Plot Apart(string title, IReadOnlyList<Compared> course)
     {
         Plot plot = Pictures.New(title);
@@ -30,14 +30,14 @@ internal static class ComparePictures
         plot.Axes.Right.Label.ForeColor = Orange;
         plot.Axes.SetLimitsY(0, Pictures.Top(course.Max(row => row.Apart.Distance)), plot.Axes.Left);
         double turned = course.Max(row => row.Apart.Angle) * 180 / Math.PI;
-        // as a rule up to half a turn; a recording is often closer than anybody could see there
+        // usually up to half a revolution; a recording is often so close that it would not be visible there
         plot.Axes.SetLimitsY(0, turned > 19 ? 190 : Pictures.Top(turned), plot.Axes.Right);
         plot.Axes.SetLimitsX(0, time[^1]);
         plot.ShowLegend(Edge.Bottom);
         return plot;
     }
 
-    /// <summary>The share of each rule in the mean distance and in the mean difference of turning, per cent.</summary>
+    /// <summary>The share of each rule in the mean distance and in the mean difference of turns, per cent.</summary>
     public static Plot Rules(SceneDescription scene, Findings found)
     {
         Plot plot = Pictures.New($"{scene.Name}: which rule makes how much of the difference");

@@ -5,10 +5,10 @@ using RigidBodyDynamics.Lab.Output;
 
 namespace RigidBodyDynamics.Lab.Comparison;
 
-/// <summary>A comparison as a program reads it: all numbers in SI units and radians, unrounded.</summary>
+/// <summary>A comparison for programs: all numbers in SI units and radians, unrounded.</summary>
 internal static class CompareSummary
 {
-    /// <summary>Indented, and letters as they are.</summary>
+    /// <summary>Indented, and letters not escaped.</summary>
     internal static readonly JsonSerializerOptions Options = new()
     {
         WriteIndented = true,
@@ -26,10 +26,10 @@ internal static class CompareSummary
             pairs = found.Select(Pair),
         }) + "\n";
 
-    /// <summary>Anything as JSON, with no character in it that nobody sees.</summary>
+    /// <summary>A value as JSON without invisible characters.</summary>
     public static string Text(object value) => Visible.Json(JsonSerializer.Serialize(value, Options));
 
-    /// <summary>How far each pair is apart over time, as CSV.</summary>
+    /// <summary>The differences of each pair over time, as CSV.</summary>
     public static string Csv(IEnumerable<Findings> found)
     {
         List<string> lines = ["body,step,t,distance,angle,turn"];

@@ -4,7 +4,7 @@ using RigidBodyDynamics.Lab.Output;
 
 namespace RigidBodyDynamics.Lab.Comparison;
 
-/// <summary>A comparison as a person reads it on a terminal.</summary>
+/// <summary>A comparison for the terminal.</summary>
 internal static class CompareTables
 {
     private const int Rows = 10;
@@ -31,7 +31,7 @@ internal static class CompareTables
         }
     }
 
-    /// <summary>How far they part and what makes it, in two sentences.</summary>
+    /// <summary>How far the two are apart and why, in two sentences.</summary>
     public static string InWords(Findings found)
     {
         RuleShares shares = found.Shares;
@@ -108,7 +108,7 @@ internal static class CompareTables
         return table;
     }
 
-    /// <summary>The rules that make at least a hundredth of a difference.</summary>
+    /// <summary>The rules whose share is at least a hundredth.</summary>
     private static string Makers(IReadOnlyList<RuleShare> shares, Func<RuleShare, double> of, double whole)
     {
         string[] makers = [.. shares.Where(share => Math.Abs(of(share)) >= 0.01 * whole && whole > 0)

@@ -2,18 +2,18 @@ using System.Globalization;
 
 namespace RigidBodyDynamics.Lab.Comparison;
 
-/// <summary>One thing in which MyRigidbody and DefaultRigidbody differ.</summary>
-/// <param name="Name">What the rule is about.</param>
-/// <param name="Mine">What MyRigidbody does.</param>
-/// <param name="Unitys">What DefaultRigidbody does.</param>
-/// <param name="Exchange">A body with this rule exchanged.</param>
+/// <summary>A rule: one thing that MyRigidbody and DefaultRigidbody compute differently.</summary>
+/// <param name="Name">Its name.</param>
+/// <param name="Mine">How MyRigidbody computes it.</param>
+/// <param name="Unitys">How DefaultRigidbody computes it.</param>
+/// <param name="Exchange">The body with Unity's rule in place of the lab's.</param>
 internal sealed record Difference(string Name, string Mine, string Unitys, Func<BodyDescription, BodyDescription> Exchange)
 {
-    /// <summary>True for effects that Unity has as drag.</summary>
+    /// <summary>True for effects that are drag in Unity.</summary>
     public static bool IsDamping(Effect effect) => effect.Motion is ICoast && effect.Motion.Traits.HasFlag(EffectTraits.IsDamping);
 
     /// <summary>
-    /// MyRigidbody in the shape of Unity's step, with every rule still the lab's: the same motion to rounding, but now
+    /// MyRigidbody as a body of UnityRigidbody, with every rule still the lab's: the same motion except for roundings, in which
     /// the rules can be exchanged one by one.
     /// </summary>
     public static BodyDescription LabInUnitysShape(BodyDescription mine)
@@ -74,7 +74,7 @@ internal sealed record Difference(string Name, string Mine, string Unitys, Func<
             rules.Add(new Difference("scene", Acting(mine), Acting(unity), body => Of(unity, body.Unity)));
         }
 
-        // last, and without any remainder: the body of the pair itself
+        // last, and without a remainder: this is the body of the pair itself
         rules.Add(new Difference("precision", "double", to.InDouble ? "double" : "single", body =>
             Set(body, settings => settings.InDouble = to.InDouble)));
         return rules;

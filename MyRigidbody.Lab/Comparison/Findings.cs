@@ -1,10 +1,10 @@
 namespace RigidBodyDynamics.Lab.Comparison;
 
-/// <summary>All that is found out about one pair.</summary>
+/// <summary>The results for one pair.</summary>
 /// <param name="Pair">The two bodies.</param>
-/// <param name="Course">Both states and how far they are apart, at every moment that is kept.</param>
-/// <param name="Shares">What makes the difference.</param>
-/// <param name="FrameRates">Pushed in Update; empty if no keys act.</param>
+/// <param name="Course">Both states and their difference, at every time that is kept.</param>
+/// <param name="Shares">The shares of the rules in the difference.</param>
+/// <param name="FrameRates">With forces applied in Update; empty if no keys act.</param>
 internal sealed record Findings(
     Pair Pair,
     IReadOnlyList<Compared> Course,
@@ -13,7 +13,7 @@ internal sealed record Findings(
 {
     private const int MostKept = 4000;
 
-    /// <summary>Runs all of it.</summary>
+    /// <summary>Computes all of them.</summary>
     public static Findings Of(Pair pair, TimeSteps steps, Action<double> report)
     {
         FrameRate[] rates = FrameRate.Matters(pair.Default, steps)

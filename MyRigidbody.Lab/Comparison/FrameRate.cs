@@ -1,25 +1,25 @@
 namespace RigidBodyDynamics.Lab.Comparison;
 
-/// <summary>What happens to DefaultRigidbody when the keys call AddForce in Update, as the course's script does.</summary>
-/// <param name="FramesPerSecond">How often Update runs.</param>
-/// <param name="Impulse">The impulse the keys give, as a multiple of what they give in FixedUpdate; NaN if they give none.</param>
+/// <summary>The effect of calling AddForce for the keys in Update, as the course's script does, on DefaultRigidbody.</summary>
+/// <param name="FramesPerSecond">The number of calls of Update in a second.</param>
+/// <param name="Impulse">The impulse of the keys, as a multiple of that in FixedUpdate; NaN if they give none.</param>
 /// <param name="AngularImpulse">The same for the torque.</param>
-/// <param name="Apart">How far the body is then from the same body pushed in FixedUpdate.</param>
+/// <param name="Apart">The difference from the same body with forces applied in FixedUpdate.</param>
 internal sealed record FrameRate(int FramesPerSecond, double Impulse, double AngularImpulse, Apart Apart)
 {
     /// <summary>The rates that are shown.</summary>
     public static readonly int[] Shown = [30, 60, 144, 240];
 
-    // hours; every frame of it is looked at
+    // hours; every frame of it is computed
     private const double LongestScene = 1e5;
 
-    /// <summary>True if keys act on the body, so that there is something to show, and not for days.</summary>
+    /// <summary>True if keys act on the body, and its scene does not last for days.</summary>
     public static bool Matters(BodyDescription body, TimeSteps steps) =>
         body.Effects.Any(IsKey) && steps.StartOf(steps.Count) <= LongestScene;
 
     /// <summary>
-    /// Runs the body once with its keys as they are, and once with all that the frames add up to. AddForce only notes
-    /// a force; the next physics step takes all that was noted, so a step may take the same push never, once or often.
+    /// Runs the body once with its keys as they are, and once with the sums of the frames. AddForce only adds to a sum, which the
+    /// next physics step applies, so a step may apply the same force never, once or several times.
     /// </summary>
     public static FrameRate Of(BodyDescription body, TimeSteps steps, int framesPerSecond)
     {
@@ -49,7 +49,7 @@ internal sealed record FrameRate(int FramesPerSecond, double Impulse, double Ang
 
     private static bool IsKey(Effect effect) => effect.Motion is KeyPush;
 
-    /// <summary>Within a frame Unity runs the physics steps that are due first, then Update.</summary>
+    /// <summary>Within a frame Unity runs the due physics steps first, then Update.</summary>
     private static long FirstAfter(TimeSteps steps, double time)
     {
         long step = steps.FirstAt(time);
@@ -72,7 +72,7 @@ internal sealed record FrameRate(int FramesPerSecond, double Impulse, double Ang
         return wrench;
     }
 
-    /// <summary>What the keys give in FixedUpdate, N s and N m s.</summary>
+    /// <summary>The impulses of the keys in FixedUpdate, N s and N m s.</summary>
     private static (double Impulse, double AngularImpulse) Given(BodyDescription body, TimeSteps steps)
     {
         Vector3d[] force = new Vector3d[steps.Count], torque = new Vector3d[steps.Count];

@@ -1,11 +1,10 @@
 namespace RigidBodyDynamics.Lab.Comparison;
 
-/// <summary>A body that moves by a rule of ours, and the Rigidbody that Unity would make of it.</summary>
+/// <summary>A body of a scene, and the Rigidbody that Unity would make of it.</summary>
 internal sealed record Pair(BodyDescription Mine, BodyDescription Default)
 {
     /// <summary>
-    /// The pairs of a scene: a body of Unity's belongs to the body before it; a body that none belongs to gets one
-    /// with Unity's defaults.
+    /// The pairs of a scene: a body of Unity's belongs to the body before it; a body without one gets one with Unity's defaults.
     /// </summary>
     public static IReadOnlyList<Pair> Of(SceneFile file)
     {
@@ -27,7 +26,7 @@ internal sealed record Pair(BodyDescription Mine, BodyDescription Default)
             : throw new InputException($"{file.Path}: bodies: there is none to compare with {Rules.UnityRigidbody}, all of them are it");
     }
 
-    /// <summary>What an object with these settings is in Unity: its collider's inertia, drag for damping.</summary>
+    /// <summary>An object with these settings in Unity: its collider's inertia, drag for damping.</summary>
     private static BodyDescription InUnity(BodyDescription mine, IReadOnlyDictionary<string, MassProperties> solidBoxes)
     {
         BodyDescription unity = mine.Copy(mine.Name + " in Unity", solidBoxes.GetValueOrDefault(mine.Name, mine.Mass));
@@ -39,7 +38,7 @@ internal sealed record Pair(BodyDescription Mine, BodyDescription Default)
 
         unity.Rule = Rules.UnityRigidbody;
         unity.Unity = new UnitySettings();
-        // a rate is what Unity calls drag; a factor per step has no counterpart there and goes
+        // a rate is drag in Unity; a factor per step has no counterpart and is removed
         if (coasting.LinearDampingRate > 0 || coasting.AngularDampingRate > 0)
         {
             unity.Unity.Drag = coasting.LinearDampingRate;

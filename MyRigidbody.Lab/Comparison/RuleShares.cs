@@ -1,21 +1,21 @@
 namespace RigidBodyDynamics.Lab.Comparison;
 
-/// <summary>What one rule contributes to the difference of a pair.</summary>
-/// <param name="Difference">What was exchanged.</param>
-/// <param name="Distance">How far its exchange, in turn, moves the body on the way from mine to Unity's, mean over the run, m.</param>
-/// <param name="Turn">The same for the turning, rad.</param>
-/// <param name="Alone">How far mine is from itself when this rule and no other is exchanged.</param>
+/// <summary>The share of one rule in the difference of a pair.</summary>
+/// <param name="Difference">The exchanged rule.</param>
+/// <param name="Distance">How far its exchange, in its place in the order, moves the body along the difference, mean over the run, m.</param>
+/// <param name="Turn">The same for the turn, rad.</param>
+/// <param name="Alone">The difference of the body from itself when only this rule is exchanged.</param>
 internal sealed record RuleShare(Difference Difference, double Distance, double Turn, Apart Alone);
 
 /// <summary>
-/// Explains the difference of a pair. Between mine and Unity's stand the bodies in which the first, the first two, ...
-/// rules are exchanged; all move at once. At every moment the way from mine to Unity's is the sum of the ways from each
-/// of these bodies to the next; their parts along it are the shares, which therefore add up to the whole. A share is
-/// negative where a rule takes back what another gives.
+/// Explains the difference of a pair. Between the two are the bodies in which the first, the first two, ... rules are exchanged;
+/// all move at the same time. At every time the difference of the pair is the sum of the differences from each of these bodies to
+/// the next; their components along it are the shares, which therefore add up to the whole. A share is negative where one rule
+/// cancels a part of another's.
 /// </summary>
 internal sealed record RuleShares(Apart Whole, IReadOnlyList<RuleShare> Shares)
 {
-    /// <summary>Runs the pair and everything between it.</summary>
+    /// <summary>Runs the pair and the bodies between.</summary>
     public static RuleShares Of(Pair pair, TimeSteps steps)
     {
         IReadOnlyList<Difference> rules = Difference.Between(pair);
@@ -39,7 +39,7 @@ internal sealed record RuleShares(Apart Whole, IReadOnlyList<RuleShare> Shares)
         return new RuleShares(whole, [.. rules.Select((rule, i) => new RuleShare(rule, distance[i], turn[i], alone[i]))]);
     }
 
-    /// <summary>Mine, the bodies between, and Unity's: one more than there are rules.</summary>
+    /// <summary>The first body of the pair, those between, and the second: one more than there are rules.</summary>
     private static IEnumerable<BodyDescription> Between(Pair pair, IReadOnlyList<Difference> rules)
     {
         yield return pair.Mine;

@@ -1,13 +1,13 @@
 namespace RigidBodyDynamics.Lab.Comparison;
 
-/// <summary>Bodies that move at the same time, each with all that it has turned since the start.</summary>
+/// <summary>Bodies that move at the same time, each with its turn since the start.</summary>
 internal sealed class SideBySide
 {
     private readonly Simulation _simulation;
     private readonly BodyState[] _states;
     private readonly Vector3d[] _turned;
 
-    /// <summary>All of them at their start.</summary>
+    /// <summary>All of them at their starts.</summary>
     public SideBySide(TimeSteps steps, params BodyDescription[] bodies)
     {
         _simulation = new Simulation(steps, [.. bodies.Select((body, i) => body.Copy($"{body.Name}, {i + 1} of {bodies.Length}", body.Mass))]);
@@ -15,18 +15,18 @@ internal sealed class SideBySide
         _turned = new Vector3d[bodies.Length];
     }
 
-    /// <summary>How many steps are done.</summary>
+    /// <summary>The number of steps done.</summary>
     public long StepsDone => _simulation.StepsDone;
 
     /// <summary>The state of a body now.</summary>
     public BodyState this[int body] => _states[body];
 
     /// <summary>
-    /// The sum of a body's turns as vectors, rad: unlike the orientation it does not come back after a whole turn.
+    /// The sum of a body's rotations as vectors, rad: unlike the orientation it does not return to zero after a whole revolution.
     /// </summary>
     public Vector3d Turned(int body) => _turned[body];
 
-    /// <summary>How far two of the bodies are apart now.</summary>
+    /// <summary>The present difference of two bodies.</summary>
     public Moment Between(int a, int b)
     {
         double distance = (_states[a].Position - _states[b].Position).Length;
@@ -37,7 +37,7 @@ internal sealed class SideBySide
     }
 
     /// <summary>One step of all.</summary>
-    /// <returns>False if there was none left.</returns>
+    /// <returns>False if there is no step left.</returns>
     public bool Step()
     {
         if (_simulation.StepsDone == _simulation.Scene.Steps.Count)
@@ -56,7 +56,7 @@ internal sealed class SideBySide
         return true;
     }
 
-    /// <summary>The turn of one step as a vector: its axis in the world, its angle (rad, below π) as length.</summary>
+    /// <summary>The rotation of one step as a vector: along its axis in the world, with its angle (rad, below π) as length.</summary>
     private static Vector3d Turn(Quaterniond from, Quaterniond to)
     {
         Quaterniond d = to * from.Conjugate;

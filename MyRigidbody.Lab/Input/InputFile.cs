@@ -1,6 +1,6 @@
 namespace RigidBodyDynamics.Lab;
 
-/// <summary>Reads a file of the user's; whatever keeps it from being read becomes one line.</summary>
+/// <summary>Reads a file of the user; any error is one line.</summary>
 internal static class InputFile
 {
     private const int Largest = 1 << 28, Spare = 1 << 12;
@@ -21,7 +21,7 @@ internal static class InputFile
             }
 
             using FileStream file = new(path, FileMode.Open, FileAccess.Read, FileShare.Read, bufferSize: 0);
-            // a pipe or a device does not know its length, and may have no end
+            // a pipe or a device has no known length, and may not end
             byte[] bytes = new byte[(file.CanSeek ? Math.Min(file.Length, Largest) : 0) + Spare];
             int count = 0;
             for (int read; (read = file.Read(bytes, count, bytes.Length - count)) > 0;)

@@ -2,7 +2,7 @@ using System.Runtime.InteropServices;
 
 namespace RigidBodyDynamics.Lab.Languages;
 
-/// <summary>The language of the system; the program itself counts and sorts alike in all.</summary>
+/// <summary>The language of the system; numbers and sorting do not depend on it.</summary>
 internal static class Locale
 {
     // the primary language of a Windows language number

@@ -2,13 +2,13 @@ using System.Text.RegularExpressions;
 
 namespace RigidBodyDynamics.Lab.Languages;
 
-/// <summary>What plans, rules and effects say of themselves, part by part, and the same in Chinese.</summary>
+/// <summary>The words of plans, integrators and effects, part by part, with their Chinese.</summary>
 internal static class Phrases
 {
-    /// <summary>A part of a text, and what stands there in Chinese.</summary>
+    /// <summary>A part of a text, and its Chinese.</summary>
     public sealed record Part(Regex Pattern, string Chinese);
 
-    /// <summary>In the order in which they are looked for: longer ones before those they contain.</summary>
+    /// <summary>In the order of the search: longer parts before those that they contain.</summary>
     public static readonly IReadOnlyList<Part> Known =
     [
         .. new (string English, string Chinese)[]

@@ -4,29 +4,29 @@ using System.Text.RegularExpressions;
 namespace RigidBodyDynamics.Lab.Languages;
 
 /// <summary>
-/// What the program says, in English and below it in Chinese, as the files *.zh.txt beside this one have it. {0} is a number, a name or a
-/// file and stays as it is; {a} is a part of the sentence that is looked for in its turn.
+/// The program's sentences, English and below it Chinese, from the files *.zh.txt beside this one. {0} is a number, a name or a
+/// file and is not translated; {a} is a part of the sentence that is translated separately.
 /// </summary>
 internal static partial class Sentences
 {
     private const string Suffix = ".zh.txt", Prefix = "languages/";
 
-    // what is longer is no sentence of ours, and would be searched for long
+    // a longer text is not one of these sentences, and would be slow to search
     private const int Longest = 2000;
 
-    // letters around the holes
+    // letters outside the holes
     private const int Telling = 10;
 
-    // behind this stands a value of the user's, which is no part of a sentence
+    // followed by a value of the user's, which is not translated
     private const string Found = ", found ", InBody = ", in body ";
 
     private static readonly Lazy<Dictionary<string, string>> Fixed = new(() => Read().Where(pair => !Hole().IsMatch(pair.English)).ToDictionary(pair => pair.English, pair => pair.Chinese));
 
-    // where two fit, the one that says more of itself
+    // where two fit, the one with more letters of its own
     private static readonly Lazy<Template[]> WithHoles = new(() => [.. Read().Where(pair => Hole().IsMatch(pair.English))
         .Select(pair => new Template(pair.English, pair.Chinese)).OrderByDescending(template => template.Says(Found)).ThenByDescending(template => template.Letters)]);
 
-    /// <summary>A text in Chinese, line by line; what is not known stays as it is.</summary>
+    /// <summary>A text in Chinese, line by line; an unknown line stays English.</summary>
     public static string InChinese(string english) => string.Join('\n', english.Split('\n').Select(Line));
 
     /// <summary>All sentences that are known.</summary>
@@ -54,7 +54,7 @@ internal static partial class Sentences
         if (Fixed.Value.TryGetValue(english, out string? whole))
             return whole;
 
-        // a file and a place stand before what is said of them; what says little of itself fits too much
+        // a file and a place come before the message; sentences with few letters of their own would fit too often
         return Fitting(english, template => template.Letters >= Telling && (template.Says(Found) || template.Says(InBody) || !english.Contains(Found, StringComparison.Ordinal))) ?? AfterPlace(english) ?? Fitting(english, _ => true) ?? Words.Phrase(english).Zh;
     }
 
@@ -76,7 +76,7 @@ internal static partial class Sentences
         return chinese != said ? Place(english[..colon]) + ": " + chinese : null;
     }
 
-    // an argument of the library that is no name
+    // an argument of the library that is not a name
     private static string Place(string place) => place.Contains(' ') ? Fixed.Value.GetValueOrDefault(place, place) : place;
 
     private static string Filled(string hole, string part) => char.IsAsciiDigit(hole[0]) || part.Length == 0 ? part : Line(part);

@@ -8,13 +8,13 @@ internal sealed record Word(string En, string Zh)
     /// <summary>A name, which is the same in all languages.</summary>
     public static Word Name(string name) => new(name, name);
 
-    /// <summary>What the judge calls something.</summary>
+    /// <summary>The judge's name for something.</summary>
     public static Word Of(Term term) => new(term.English, term.Chinese);
 
-    /// <summary>In one of them.</summary>
+    /// <summary>The text in one language.</summary>
     public string In(bool chinese) => chinese ? Zh : En;
 
-    /// <summary>With something put in the places {0}, {1}, ....</summary>
+    /// <summary>With values in the places {0}, {1}, ....</summary>
     public Word With(params object[] parts) => new(Put(En, parts, word => word.En), Put(Zh, parts, word => word.Zh));
 
     private static string Put(string text, object[] parts, Func<Word, string> language) =>
@@ -24,7 +24,7 @@ internal sealed record Word(string En, string Zh)
 /// <summary>Every text of the page, in both languages.</summary>
 internal static class Words
 {
-    /// <summary>What the template and the sections say.</summary>
+    /// <summary>The texts of the template and the sections.</summary>
     public static readonly IReadOnlyDictionary<string, Word> All = new Dictionary<string, Word>
     {
         ["language"] = new("中文", "English"),
@@ -125,7 +125,7 @@ internal static class Words
         ["facts.processors"] = new("{0}, {1}, {2} processors", "{0}，{1}，{2} 个处理器"),
     };
 
-    /// <summary>What scripts show or set as a label.</summary>
+    /// <summary>Labels that scripts set.</summary>
     public static readonly IReadOnlyDictionary<string, Word> OfScripts = new Dictionary<string, Word>
     {
         ["cost.time"] = new("time for a simulated second of one body, s", "一个刚体模拟一秒所需的时间，s"),
@@ -170,10 +170,10 @@ internal static class Words
         ["between"] = new("{0} and {1}", "{0} 与 {1}"),
     };
 
-    /// <summary>What the program says in English, in both languages.</summary>
+    /// <summary>An English sentence of the program, in both languages.</summary>
     public static Word Said(string english) => new(english, Sentences.InChinese(english));
 
-    /// <summary>What a plan or a rule says in English, in both languages; what is not known here stays as it is.</summary>
+    /// <summary>A phrase of a plan or an integrator, in both languages; unknown phrases stay English.</summary>
     public static Word Phrase(string english)
     {
         string chinese = Phrases.Known.Aggregate(english, (text, phrase) => phrase.Pattern.Replace(text, phrase.Chinese));

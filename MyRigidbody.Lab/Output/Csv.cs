@@ -4,16 +4,16 @@ using System.Text.RegularExpressions;
 namespace RigidBodyDynamics.Lab.Output;
 
 /// <summary>
-/// Texts as cells of a CSV file: a row is one line, and no spreadsheet computes a name. Numbers are written as they are.
+/// Texts as cells of a CSV file: a row is one line, and no name is taken for a formula. Numbers are written as they are.
 /// </summary>
 internal static partial class Csv
 {
-    // those of full width are read as the others by spreadsheets in East Asia
+    // spreadsheets in East Asia read full-width characters like the others
     private const string BeginFormula = "=+-@＝＋－＠";
 
     /// <summary>
-    /// A cell. Characters that nobody sees are shown as <c>\u001b</c>, and a name that a spreadsheet would compute gets an
-    /// apostrophe before it, which spreadsheets take for "this is text".
+    /// A cell. Invisible characters are shown as <c>\u001b</c>, and a name that a spreadsheet would take for a formula gets an
+    /// apostrophe before it, which marks a text.
     /// </summary>
     public static string Cell(string text)
     {
@@ -22,14 +22,14 @@ internal static partial class Csv
         return cell.AsSpan().ContainsAny(",;\"") ? "\"" + cell.Replace("\"", "\"\"") + "\"" : cell;
     }
 
-    /// <summary>The text of a cell, which any reader of CSV has taken out of its quotes.</summary>
+    /// <summary>The text of a cell whose quotes a CSV reader has removed.</summary>
     public static string Text(string cell)
     {
         string shown = cell.StartsWith('\'') && Computes(cell[1..]) ? cell[1..] : cell;
         return Number().Replace(shown, number => ((char)ushort.Parse(number.ValueSpan[2..], NumberStyles.HexNumber, CultureInfo.InvariantCulture)).ToString());
     }
 
-    /// <summary>A plain number is no formula; a text that has such an apostrophe already gets one more, so that it can be taken away.</summary>
+    /// <summary>False for a plain number; true for a text that begins with such an apostrophe, which gets one more so that one can be removed.</summary>
     private static bool Computes(string text)
     {
         string bare = text.TrimStart('\'');

@@ -2,5 +2,5 @@ using RigidBodyDynamics.Lab.Output;
 
 namespace RigidBodyDynamics.Lab;
 
-/// <summary>A comparison or check that fell short: exit code 1. The message is one whole line.</summary>
+/// <summary>A comparison or check with a negative result: exit code 1. The message is one whole line.</summary>
 internal sealed class FellShortException(string message) : Exception(Visible.Line(message));

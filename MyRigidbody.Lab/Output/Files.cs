@@ -2,7 +2,7 @@ using System.Runtime.InteropServices;
 
 namespace RigidBodyDynamics.Lab.Output;
 
-/// <summary>Writes files whole or not at all: beside their place first, then moved into it.</summary>
+/// <summary>Writes files completely or not at all: temporary ones first, then moved into place.</summary>
 internal sealed class Files : IDisposable
 {
     private readonly string _folder;
@@ -12,10 +12,10 @@ internal sealed class Files : IDisposable
     private readonly List<string> _made = [];
     private readonly List<PosixSignalRegistration> _signals = [];
 
-    /// <summary>Files for a folder, which is made if it is not there.</summary>
+    /// <summary>Files for a folder, which is created if it does not exist.</summary>
     /// <param name="folder">The folder.</param>
-    /// <param name="name">How the user called what is to be written; named in errors.</param>
-    /// <param name="inputs">The files that were read; none of them is ever written over.</param>
+    /// <param name="name">The option or argument that named the output; used in errors.</param>
+    /// <param name="inputs">The files that were read; none of them is overwritten.</param>
     public Files(string folder, string name, IEnumerable<string> inputs)
     {
         _inputs = [.. inputs];
@@ -23,12 +23,12 @@ internal sealed class Files : IDisposable
         _folder = Path.GetFullPath(folder);
         if (_folder == "/dev")
         {
-            // a file moved into the place of a device would take it from everybody
+            // a file moved over a device would remove the device
             throw new InputException($"{name}: is a device; without --out the trajectory goes to standard output");
         }
 
         Try(MakeFolder);
-        // a file that is half written goes with the process that wrote it
+        // temporary files are removed when the process is stopped
         foreach (PosixSignal signal in new[] { PosixSignal.SIGINT, PosixSignal.SIGTERM, PosixSignal.SIGHUP })
         {
             _signals.Add(PosixSignalRegistration.Create(signal, _ => TakeAway()));
@@ -37,7 +37,7 @@ internal sealed class Files : IDisposable
         AppDomain.CurrentDomain.ProcessExit += (_, _) => TakeAway();
     }
 
-    /// <summary>Writes one file, by a function that is given the path to write to.</summary>
+    /// <summary>Writes one file, by a function that gets the path.</summary>
     public void Write(string fileName, Action<string> write)
     {
         MustBeFree(fileName);
@@ -47,7 +47,7 @@ internal sealed class Files : IDisposable
         Try(() => write(temporary));
     }
 
-    /// <summary>Puts all files in their places.</summary>
+    /// <summary>Moves all files into place.</summary>
     public void Keep()
     {
         Try(() => _written.ForEach(file => File.Move(file.Temporary, file.Final, overwrite: true)));
@@ -55,10 +55,10 @@ internal sealed class Files : IDisposable
         _made.Clear();
     }
 
-    /// <summary>Throws where a file of this name may not be written.</summary>
+    /// <summary>Throws where a file of this name must not be written.</summary>
     public void MustBeFree(string fileName) => Try(() => MustBeFree(fileName, Path.Combine(_folder, fileName)));
 
-    /// <summary>Takes away what was not kept, and the folders that were made for it.</summary>
+    /// <summary>Removes temporary files, and folders created for them.</summary>
     public void Dispose()
     {
         _signals.ForEach(signal => signal.Dispose());
@@ -73,7 +73,7 @@ internal sealed class Files : IDisposable
         Directory.CreateDirectory(_folder);
     }
 
-    /// <summary>Nothing but a file that is not an input may stand where a file is to be written.</summary>
+    /// <summary>Tests that the target is free, or a plain file that is not an input.</summary>
     private void MustBeFree(string fileName, string final)
     {
         string name = Path.GetFileName(_name) == fileName ? _name : Path.Combine(_name, fileName);
@@ -87,7 +87,7 @@ internal sealed class Files : IDisposable
             throw new InputException($"{name}: is what was read, and would be written over");
         }
 
-        // a link that leads nowhere is there too
+        // a dangling link exists, too
         if ((File.Exists(final) || new FileInfo(final).LinkTarget != null) && !RealPath.IsPlainFile(final))
         {
             throw new InputException($"{name}: is a link, a pipe or a device, and a file would take its place");
@@ -110,7 +110,7 @@ internal sealed class Files : IDisposable
         }
         catch (Exception left) when (left is IOException or UnauthorizedAccessException)
         {
-            // the folder has gone or was closed: that is why nothing was kept, and it has been said
+            // the folder was removed or closed to us: this has been reported before
         }
     }
 

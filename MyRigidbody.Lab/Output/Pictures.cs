@@ -11,7 +11,7 @@ internal static class Pictures
 
     private const int UsualHeight = 560;
 
-    // the first that is installed is taken
+    // the first one installed is used
     private static readonly string[] SansFonts =
         ["DejaVu Sans", "Liberation Sans", "Noto Sans", "Open Sans", "Segoe UI", "Helvetica Neue", "Helvetica", "Arial", "Verdana"];
 
@@ -36,7 +36,7 @@ internal static class Pictures
         return plot;
     }
 
-    /// <summary>Writes a plot in the format of the path's ending.</summary>
+    /// <summary>Writes a plot in the format of the path's extension.</summary>
     public static void Save(Plot plot, string path, int height = UsualHeight)
     {
         if (Path.GetExtension(path) == ".svg")
@@ -48,17 +48,17 @@ internal static class Pictures
     /// <summary>The upper end of an axis from 0, a little above the largest value.</summary>
     public static double Top(double largest) => largest > 0 && largest < double.MaxValue / 2 ? 1.08 * largest : 1;
 
-    /// <summary>Says so on standard error where pictures will have no text.</summary>
+    /// <summary>Prints a note on standard error where there is no font, so that pictures have no text.</summary>
     public static void NoteIfThereAreNoFonts()
     {
-        // where there is none, Skia counts one without a name
+        // without fonts, Skia counts one without a name
         if (SKFontManager.Default.FontFamilies.All(string.IsNullOrEmpty))
         {
             Terminal.Note("no font on this machine: pictures have lines but no text; install one (Debian: fonts-dejavu-core)");
         }
     }
 
-    /// <summary>What a system calls its default font may have serifs.</summary>
+    /// <summary>A sans-serif font, because a system's default font may have serifs.</summary>
     public static string SansFont() =>
         SansFonts.FirstOrDefault(name => SKFontManager.Default.FontFamilies.Contains(name)) ?? Fonts.Default;
 

@@ -2,12 +2,12 @@ using System.Formats.Tar;
 
 namespace RigidBodyDynamics.Lab.Output;
 
-/// <summary>Which file a path leads to, and whether it is one.</summary>
+/// <summary>The file that a path leads to, and whether it is one.</summary>
 internal static class RealPath
 {
     private static readonly StringComparison Letters = OperatingSystem.IsLinux() ? StringComparison.Ordinal : StringComparison.OrdinalIgnoreCase;
 
-    /// <summary>The path without links, of the folders either; what is not there yet is as it is said.</summary>
+    /// <summary>The path without links, including those of folders; a path that does not exist is returned as given.</summary>
     public static string Of(string path)
     {
         string full = Path.TrimEndingDirectorySeparator(Path.GetFullPath(path));
@@ -28,7 +28,7 @@ internal static class RealPath
         }
         catch (IOException)
         {
-            // links that lead round lead nowhere
+            // circular links lead nowhere
             return Path.GetPathRoot(link)!;
         }
     }
@@ -36,7 +36,7 @@ internal static class RealPath
     /// <summary>True if two paths lead to one file or folder.</summary>
     public static bool Same(string one, string other) => string.Equals(Of(one), Of(other), Letters);
 
-    /// <summary>True for a file with content of its own: no link, no pipe, no device.</summary>
+    /// <summary>True for a file with content: no link, no pipe, no device.</summary>
     public static bool IsPlainFile(string path)
     {
         FileInfo file = new(path);
@@ -48,7 +48,7 @@ internal static class RealPath
         return OperatingSystem.IsWindows() || file.Length > 0 || IsEmptyFile(path);
     }
 
-    /// <summary>Pipes and devices have no length either; of the library only tar tells which is which, without opening them.</summary>
+    /// <summary>Pipes and devices have length zero, too; only the library's tar distinguishes them without opening.</summary>
     private static bool IsEmptyFile(string path)
     {
         try
@@ -65,7 +65,7 @@ internal static class RealPath
         }
         catch (UnauthorizedAccessException)
         {
-            // only files are opened
+            // only plain files are opened
             return true;
         }
         catch (IOException)

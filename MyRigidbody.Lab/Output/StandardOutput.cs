@@ -3,12 +3,12 @@ using Microsoft.Win32.SafeHandles;
 
 namespace RigidBodyDynamics.Lab.Output;
 
-/// <summary>The reader of a pipe has left: nobody wants the rest, and that is no error.</summary>
+/// <summary>The reader of a pipe has closed it: the rest is not needed, and this is no error.</summary>
 internal sealed class ReaderLeftException(Exception cause) : Exception("the reader of standard output has left", cause);
 
 /// <summary>
-/// Standard output into a pipe whose reader may leave. The console of .NET writes on as if nothing had happened, so that
-/// <c>run SCENE | head</c> would compute to its end; here the first write after it is an exception.
+/// Standard output into a pipe whose reader may close it. The console of .NET ignores that, so <c>run SCENE | head</c> would
+/// compute to its end; here the next write throws.
 /// </summary>
 internal sealed class StandardOutput(Stream pipe) : Stream
 {
@@ -32,7 +32,7 @@ internal sealed class StandardOutput(Stream pipe) : Stream
     /// <summary>Standard output as bytes.</summary>
     public static Stream Open() => Pipe() ?? Console.OpenStandardOutput();
 
-    /// <summary>From now on the console writes there too.</summary>
+    /// <summary>From now on the console writes there, too.</summary>
     public static void Use()
     {
         if (Pipe() is Stream pipe)
@@ -41,7 +41,7 @@ internal sealed class StandardOutput(Stream pipe) : Stream
         }
     }
 
-    /// <summary>A file keeps the place where others go on to write, so only a pipe is opened anew.</summary>
+    /// <summary>Only a pipe is opened anew; in a file the position must be kept.</summary>
     private static StandardOutput? Pipe()
     {
         if (OperatingSystem.IsWindows() || !Console.IsOutputRedirected)

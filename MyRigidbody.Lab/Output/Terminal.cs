@@ -6,7 +6,7 @@ using Spectre.Console.Rendering;
 namespace RigidBodyDynamics.Lab.Output;
 
 /// <summary>
-/// Where people read: results on standard output, errors and progress on standard error. Nothing else in the program writes
+/// Output for people: results on standard output, errors and progress on standard error. Nothing else in the program writes
 /// there, and every text passes <see cref="Language"/> and <see cref="Visible"/>.
 /// </summary>
 internal static class Terminal
@@ -15,10 +15,10 @@ internal static class Terminal
     private const int PipeWidth = 150, PipeHeight = 24;
     private const int LongestError = 1000;
 
-    /// <summary>A line, however long.</summary>
+    /// <summary>A line of any length.</summary>
     public static void WriteLine(string line = "") => Console.Out.WriteLine(Visible.Line(Language.Say(line)));
 
-    /// <summary>A text of one paragraph, broken between words where the terminal is too narrow for it.</summary>
+    /// <summary>A text of one paragraph, wrapped to the width of the terminal.</summary>
     public static void WriteText(string text) => Draw(new Text(Visible.Line(Language.Say(text)) + Environment.NewLine));
 
     /// <summary>A table.</summary>
@@ -27,15 +27,15 @@ internal static class Terminal
     /// <summary>An answer in JSON.</summary>
     public static void WriteJson(string json) => Console.Out.WriteLine(Visible.Json(json));
 
-    /// <summary>What is wrong, in one line.</summary>
+    /// <summary>An error, in one line.</summary>
     public static void Error(string line) => Console.Error.WriteLine(Lead("error:") + Visible.Line(Language.Say(line), LongestError));
 
-    /// <summary>What the user should know, in one line.</summary>
+    /// <summary>A note, in one line.</summary>
     public static void Note(string line) => Console.Error.WriteLine(Lead("note:") + Visible.Line(Language.Say(line), LongestError));
 
-    /// <summary>Does long work; a bar on a terminal, silence in a pipe.</summary>
+    /// <summary>Does long work; with a progress bar on a terminal, without output in a pipe.</summary>
     /// <param name="what">What is being done.</param>
-    /// <param name="work">The work, which reports the fraction that is done.</param>
+    /// <param name="work">The work, which reports the finished fraction.</param>
     public static void WithProgress(string what, Action<Action<double>> work)
     {
         if (Console.IsErrorRedirected)
@@ -52,12 +52,12 @@ internal static class Terminal
         });
     }
 
-    // the Chinese colon is as wide as one with its blank
+    // the Chinese colon includes its space
     private static string Lead(string word) => Language.IsChinese ? Language.Say(word) : word + " ";
 
     private static void Draw(IRenderable what)
     {
-        // a browser has no terminal: what is written there is read as text
+        // a browser has no terminal: the output is plain text
         if (!OperatingSystem.IsBrowser() && !Console.IsOutputRedirected)
         {
             AnsiConsole.Create(new AnsiConsoleSettings { Out = new AnsiConsoleOutput(Console.Out) }).Write(what);
@@ -70,7 +70,7 @@ internal static class Terminal
         }
     }
 
-    /// <summary>Where nobody can be asked how wide it is.</summary>
+    /// <summary>An output of unknown width.</summary>
     private sealed class Pipe : IAnsiConsoleOutput
     {
         public TextWriter Writer => TextWriter.Null;
@@ -83,7 +83,7 @@ internal static class Terminal
 
         public void SetEncoding(Encoding encoding)
         {
-            // who writes has one
+            // the caller has the writer already
         }
     }
 }

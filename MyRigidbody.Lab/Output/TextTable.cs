@@ -4,7 +4,7 @@ using Spectre.Console.Rendering;
 
 namespace RigidBodyDynamics.Lab.Output;
 
-/// <summary>A table for a terminal; its cells are texts and stay in their lines.</summary>
+/// <summary>A table for a terminal; its cells are texts of one line.</summary>
 internal sealed class TextTable
 {
     private readonly Table _table = new Table().Border(TableBorder.Rounded);
@@ -18,10 +18,10 @@ internal sealed class TextTable
         }
     }
 
-    /// <summary>The number of its columns.</summary>
+    /// <summary>The number of columns.</summary>
     public int Columns => _table.Columns.Count;
 
-    /// <summary>Numbers stand at the right: in these columns, or in all but the first.</summary>
+    /// <summary>Aligns numbers to the right: in these columns, or in all but the first.</summary>
     public TextTable RightAligned(params int[] columns)
     {
         foreach (int column in columns.Length > 0 ? columns : Enumerable.Range(1, Columns - 1))

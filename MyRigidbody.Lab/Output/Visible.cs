@@ -5,20 +5,20 @@ using System.Text;
 namespace RigidBodyDynamics.Lab.Output;
 
 /// <summary>
-/// Texts of others, names and paths, as a person may see them: what would move the cursor, end the line or turn the direction
-/// of reading is shown as its number in UTF-16, <c>\u001b</c>, and not sent. Everything that is printed passes here.
+/// Makes foreign texts, names and paths safe to print: characters that would move the cursor, end the line or change the writing
+/// direction are shown as their number in UTF-16, <c>\u001b</c>. Everything that is printed passes here.
 /// </summary>
 internal static class Visible
 {
     private static readonly SearchValues<char> Plain = SearchValues.Create([.. Enumerable.Range(' ', '~' - ' ' + 1).Select(code => (char)code)]);
 
-    /// <summary>A text that stays in one line.</summary>
+    /// <summary>A text in one line.</summary>
     public static string Line(string text) => Shown(text, string.Empty);
 
-    /// <summary>The same with no more than so many characters of it.</summary>
+    /// <summary>The same, cut after a number of characters.</summary>
     public static string Line(string text, int most) => text.Length <= most ? Line(text) : Line(text[..most]) + "…";
 
-    /// <summary>A text in JSON, which goes on to mean the same; its own lines stay.</summary>
+    /// <summary>A text in JSON with the same meaning; its line breaks stay.</summary>
     public static string Json(string json) => Shown(json, "\r\n");
 
     private static string Shown(string text, string keep)
@@ -51,7 +51,7 @@ internal static class Visible
     private static bool IsHidden(Rune rune) => Rune.GetUnicodeCategory(rune) switch
     {
         UnicodeCategory.Control or UnicodeCategory.LineSeparator or UnicodeCategory.ParagraphSeparator => true,
-        // those that join or part letters belong to Persian, to Indic scripts and to emoji
+        // zero-width joiners belong to Persian, to Indic scripts and to emoji
         UnicodeCategory.Format => rune.Value is not ('\u200C' or '\u200D'),
         _ => false,
     };

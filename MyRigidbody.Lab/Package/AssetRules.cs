@@ -4,18 +4,18 @@ using RigidBodyDynamics.Lab.Output;
 
 namespace RigidBodyDynamics.Lab.Package;
 
-/// <summary>What must be true of a package for every editor to import it: each of these has broken somebody's.</summary>
+/// <summary>Requirements of a package that every editor can import; each is a mistake that has occurred.</summary>
 internal static partial class AssetRules
 {
-    // longer paths fail on Windows once they stand in somebody's project
+    // longer paths fail on Windows inside the folder of a project
     private const int LongestPath = 120;
 
-    // one random GUID in 27 million has fewer different digits; those typed by hand and Unity's own have
+    // one random GUID in 27 million has fewer different digits; GUIDs typed by hand and Unity's own have
     private const int FewestDigits = 8;
 
     private static readonly string[] Texts = [".cs", ".asmdef", ".md", ".txt", ".unity", ".mat", ".shader", ".json"];
 
-    /// <summary>The assets, if they are a sound package.</summary>
+    /// <summary>The assets, if they meet the requirements.</summary>
     public static IReadOnlyList<Asset> Checked(IReadOnlyList<Asset> assets)
     {
         if (!assets.Any(asset => !asset.IsFolder))
@@ -63,7 +63,7 @@ internal static partial class AssetRules
         }
     }
 
-    /// <summary>Why no editor should import an asset of somebody's package at this path; nothing where it may.</summary>
+    /// <summary>Why an asset at this path should not be imported; empty where it may be.</summary>
     public static string? Danger(string path) =>
         Visible.Line(path) != path ? "has characters that nobody sees"
         : !path.StartsWith("Assets/", StringComparison.Ordinal) && !path.StartsWith("Packages/", StringComparison.Ordinal) && path is not ("Assets" or "Packages") ? "is outside of Assets and Packages"

@@ -2,17 +2,17 @@ using RigidBodyDynamics.Lab.Output;
 
 namespace RigidBodyDynamics.Lab.Package;
 
-/// <summary>What goes into the packages, gathered from a checkout of the repository.</summary>
+/// <summary>The files of the packages, from a checkout of the repository.</summary>
 internal static class Checkout
 {
     private const string Top = "Assets/MyRigidbody", Project = "UnityProject/" + Top, Core = "MyRigidbody.Core";
     private const string StarterTop = "Assets/MyRigidbodyStarter", StarterProject = "UnityProject/" + StarterTop, Judge = "MyRigidbody.Judge";
 
-    // of assets that stand elsewhere in the repository, or have no meta there because they are the root of a package
+    // GUIDs of assets that are elsewhere in the repository, or have no meta because they are the root of a package
     private const string CoreFolderGuid = "5a72f811ae3ef5e9cc67bc435aecb9c7", LicenseGuid = "9ba1d9b5a12c61ff5f8a201a59ec8309";
     private const string JudgeFolderGuid = "953c8eab552180b16740ee8aeca94e2d", StarterLicenseGuid = "f0d9fe55bc6b5cfac000d30443332e3c";
 
-    /// <summary>The root of the checkout: the folder with the solution, here or above, or above the program.</summary>
+    /// <summary>The root of the checkout: the folder with the solution, here, above, or above the program.</summary>
     public static string Root() => Find() ?? throw new InputException("pack: needs a checkout of the repository; there is no MyRigidbody.sln here or above");
 
     /// <summary>The same, or null if there is none.</summary>
@@ -30,7 +30,7 @@ internal static class Checkout
         return AssetRules.Checked([.. assets.OrderBy(asset => asset.Guid, StringComparer.Ordinal)]);
     }
 
-    /// <summary>The assets of the package in which a student writes, in the order of their GUIDs: what he starts from, and what checks it.</summary>
+    /// <summary>The assets of the students' package, in the order of their GUIDs: the script to start from, and what checks it.</summary>
     public static IReadOnlyList<Asset> GatherStarter(string root)
     {
         const string Into = StarterTop + "/Editor/Judge";
@@ -42,7 +42,7 @@ internal static class Checkout
         return AssetRules.Checked([.. assets.OrderBy(asset => asset.Guid, StringComparer.Ordinal)]);
     }
 
-    // a C# project and a UPM package are nothing to a project that has the sources
+    // a C# project and a UPM package have no meaning in a project with the sources
     private static bool IsNothingToUnity(string path) =>
         Path.GetFileName(path) is "package.json" or "packages.lock.json" || path.EndsWith(".csproj", StringComparison.Ordinal);
 
@@ -81,13 +81,13 @@ internal static class Checkout
         return new Asset(into, Meta.GuidOf(path + ".meta", meta), isFolder ? null : Bytes(root, path), meta);
     }
 
-    // what Unity does not import either
+    // hidden files, which Unity does not import either
     private static bool IsHidden(string name) =>
         name.StartsWith('.') || name.EndsWith('~') || name.EndsWith(".tmp", StringComparison.Ordinal) || name.Equals("cvs", StringComparison.OrdinalIgnoreCase);
 
     private static byte[] Bytes(string root, string path)
     {
-        // a link may lead to anything, and a pipe has no end
+        // a link may lead anywhere, and a pipe may not end
         if (Path.Exists(Path.Combine(root, path)) && !RealPath.IsPlainFile(Path.Combine(root, path)))
             throw new InputException($"{path}: is no file of its own but a link, a pipe or a device");
 

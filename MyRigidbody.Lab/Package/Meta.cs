@@ -3,7 +3,7 @@ using System.Text.RegularExpressions;
 
 namespace RigidBodyDynamics.Lab.Package;
 
-/// <summary>The files beside assets in which Unity keeps their GUIDs.</summary>
+/// <summary>The files beside assets in which Unity stores their GUIDs.</summary>
 internal static partial class Meta
 {
     /// <summary>The GUID in a meta.</summary>
@@ -15,10 +15,10 @@ internal static partial class Meta
             : throw new InputException($"{path}: must begin with 'fileFormatVersion: 2' and 'guid: ' and 32 lower-case hex digits");
     }
 
-    /// <summary>That of a folder, as Unity 2019.4 writes it.</summary>
+    /// <summary>The meta of a folder, as Unity 2019.4 writes it.</summary>
     public static byte[] Folder(string guid) => Of(guid, "folderAsset: yes\nDefaultImporter:\n");
 
-    /// <summary>That of a text.</summary>
+    /// <summary>The meta of a text.</summary>
     public static byte[] Text(string guid) => Of(guid, "TextScriptImporter:\n");
 
     // there is a space after an empty value

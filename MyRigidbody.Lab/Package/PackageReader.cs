@@ -4,13 +4,13 @@ using System.Text;
 
 namespace RigidBodyDynamics.Lab.Package;
 
-/// <summary>Reads a .unitypackage, as Unity does: first which GUID has which path, then the files.</summary>
+/// <summary>Reads a .unitypackage, as Unity does: first the path of each GUID, then the files.</summary>
 internal static class PackageReader
 {
-    // a package of ours is a thousandth of it
+    // a package of ours has a thousandth of it
     private const int MostBytes = 1 << 28;
 
-    /// <summary>The assets of a package; all that can be wrong with it is an <see cref="InputException"/>.</summary>
+    /// <summary>The assets of a package; any error in it is an <see cref="InputException"/>.</summary>
     public static IReadOnlyList<Asset> Read(string path)
     {
         try
@@ -57,7 +57,7 @@ internal static class PackageReader
         return [.. folders.Select(folder => Asset(path, folder.Key, folder.Value))];
     }
 
-    /// <summary>All of it before any of it is read: names in headers may say that they are a gigabyte long, and be it.</summary>
+    /// <summary>Unpacks all of it within a limit before reading, because headers may contain names of a gigabyte.</summary>
     private static MemoryStream Unpacked(Stream packed)
     {
         using GZipStream zip = new(packed, CompressionMode.Decompress);

@@ -6,15 +6,15 @@ namespace RigidBodyDynamics.Lab.Package;
 
 /// <summary>
 /// Writes a .unitypackage: a gzipped tar with a folder per asset, named by its GUID, that holds the file, its meta and its
-/// path. Plain ustar and a gzip header without a name: with another name in it Unity on Windows shows an empty package. The
-/// same assets give the same bytes, whoever packs them and when.
+/// path. Plain ustar and a gzip header without a name: with a name in it Unity on Windows shows an empty package. The
+/// same assets give the same bytes on every system.
 /// </summary>
 internal static class PackageWriter
 {
     private const UnixFileMode FileMode = UnixFileMode.UserRead | UnixFileMode.UserWrite | UnixFileMode.GroupRead | UnixFileMode.OtherRead;
     private const UnixFileMode FolderMode = FileMode | UnixFileMode.UserExecute | UnixFileMode.GroupExecute | UnixFileMode.OtherExecute;
 
-    // where a gzip header says on which system it was made; the editor writes 0
+    // the byte of a gzip header that names the system; the editor writes 0
     private const int SystemByte = 9;
 
     /// <summary>The package as bytes.</summary>

@@ -3,8 +3,8 @@ using RigidBodyDynamics.Lab.Languages;
 
 namespace RigidBodyDynamics.Lab.Report;
 
-/// <summary>Accuracy against time, a diagram and a table for every motion, and what to take for the accuracy one wants.</summary>
-/// <param name="Found">What was measured.</param>
+/// <summary>Accuracy against time, a diagram and a table for every motion, and the advice for each accuracy.</summary>
+/// <param name="Found">The measurements.</param>
 internal sealed record CostDiagrams(IReadOnlyList<CostFindings> Found) : Section
 {
     /// <inheritdoc/>
@@ -16,23 +16,23 @@ internal sealed record CostDiagrams(IReadOnlyList<CostFindings> Found) : Section
     /// <summary>One motion.</summary>
     internal sealed class Of(CostFindings found)
     {
-        /// <summary>Its name and what it is.</summary>
+        /// <summary>Its name.</summary>
         public string Name => found.Motion.Scene.Name;
 
         /// <summary>One line about it.</summary>
         public string About => found.Motion.Scene.About;
 
-        /// <summary>With what it was compared, and how exactly that can be had.</summary>
+        /// <summary>The reference of the comparison, and its uncertainty.</summary>
         public Word Origin => Words.All["cost.origin"].With(Truth, CostTables.Error(found.Motion.Truth.Floor));
 
         private Word Truth => new(
             found.Motion.Origin,
             found.Motion.IsSolved ? "真实运动：已求解到 20 位" : $"真实运动：由本程序不断缩短步长求得，直到结果不再变化；不确定度 {CostTables.Error(found.Motion.Truth.Uncertainty)}");
 
-        /// <summary>The errors of the columns.</summary>
+        /// <summary>The errors at the heads of the columns.</summary>
         public IEnumerable<string> Bounds => CostFindings.Bounds.Select(bound => bound.ToString("0e+0", CultureInfo.InvariantCulture));
 
-        /// <summary>An integrator, its error and time in a game's step, and what each accuracy costs by it.</summary>
+        /// <summary>An integrator, its error and time with a game's step, and its cost for each accuracy.</summary>
         public IEnumerable<string[]> Rows => Rules.All.Select(rule =>
         {
             Trial game = found.InGame(rule);

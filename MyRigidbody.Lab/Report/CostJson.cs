@@ -4,10 +4,10 @@ using RigidBodyDynamics.Lab.Languages;
 
 namespace RigidBodyDynamics.Lab.Report;
 
-/// <summary>What cost.js draws: every trial of every motion, and its own few words. Made node by node, since a page in a browser has it too, where nothing is reflected on.</summary>
+/// <summary>The data of cost.js: every trial of every motion, and its words. Built node by node, because the page in a browser has no reflection.</summary>
 internal static class CostJson
 {
-    /// <summary>As JSON that cannot end a script.</summary>
+    /// <summary>As JSON that cannot end a script element.</summary>
     public static string Of(CostDiagrams section) => new JsonObject
     {
         ["sameCost"] = Advisor.SameCost,
@@ -28,7 +28,7 @@ internal static class CostJson
             : []),
     };
 
-    /// <summary>Those of some words that are about the cost.</summary>
+    /// <summary>Those words that are about the cost.</summary>
     public static JsonNode OfWords(IEnumerable<KeyValuePair<string, Word>> words) => new JsonObject(
         words.Where(pair => pair.Key.StartsWith("cost", StringComparison.Ordinal)).Select(pair => KeyValuePair.Create(pair.Key, Both(pair.Value))));
 
@@ -37,7 +37,7 @@ internal static class CostJson
 
     private static JsonArray List(IEnumerable<JsonNode> nodes) => new([.. nodes]);
 
-    // what nobody can see in a diagram of seventeen powers of ten is not written
+    // digits that cannot be seen in a diagram of seventeen powers of ten are not written
     private static double Rounded(double value) => double.Parse(value.ToString("G6", CultureInfo.InvariantCulture), CultureInfo.InvariantCulture);
 
     private static int Index(Rule rule) => Rules.All.Select((other, i) => (other, i)).First(pair => pair.other == rule).i;

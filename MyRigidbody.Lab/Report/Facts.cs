@@ -3,14 +3,14 @@ using RigidBodyDynamics.Lab.Languages;
 
 namespace RigidBodyDynamics.Lab.Report;
 
-/// <summary>What the page was made of, and on what.</summary>
+/// <summary>The input of a page, and the machine on which it was made.</summary>
 /// <param name="Rows">A name and what it is.</param>
 internal sealed record Facts(IReadOnlyList<Facts.Row> Rows) : Section
 {
     /// <inheritdoc/>
     public override string Kind => "facts";
 
-    /// <summary>Of a page that shows so many moments of a run.</summary>
+    /// <summary>For a page that shows a number of moments of a run.</summary>
     public static Facts Of(SceneDescription scene, string file, int moments)
     {
         TimeSteps steps = scene.Steps;
@@ -27,7 +27,7 @@ internal sealed record Facts(IReadOnlyList<Facts.Row> Rows) : Section
         ]);
     }
 
-    /// <summary>Of a page that is about no one scene.</summary>
+    /// <summary>For a page without a scene of its own.</summary>
     public static Facts OfMachine() => new(
     [
         new Row(Words.All["facts.machine"], Page.Machine),

@@ -7,13 +7,13 @@ using RigidBodyDynamics.Lab.Languages;
 
 namespace RigidBodyDynamics.Lab.Report;
 
-/// <summary>A motion as the scripts of the page read it: one column for each number of a body, rounded to what a picture can show.</summary>
+/// <summary>A motion for the scripts of the page: one column for each number of a body, rounded to the precision of a picture.</summary>
 internal static class MotionJson
 {
-    // where a body is and how it is turned; and its rates
+    // of position and orientation; and of velocities
     private const int Digits = 6, Fewer = 5;
 
-    // no <, > or & either, so nothing in a name can end the script element it stands in
+    // no <, > or & either, so no name can end the script element around it
     private static readonly JsonWriterOptions Options = new() { Encoder = JavaScriptEncoder.Create(UnicodeRanges.All) };
 
     /// <summary>The motion, and the texts that scripts show.</summary>
@@ -102,7 +102,7 @@ internal static class MotionJson
         json.WriteEndObject();
     }
 
-    /// <summary>So many digits of the largest, and no smaller part of the others: a picture has one scale.</summary>
+    /// <summary>Rounds to a number of digits of the largest value, and all values to the same decimal: a picture has one scale.</summary>
     private static void Rounded(Utf8JsonWriter json, string name, IEnumerable<double> values, int digits)
     {
         double[] column = [.. values];

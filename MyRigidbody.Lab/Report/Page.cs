@@ -4,11 +4,11 @@ using RigidBodyDynamics.Lab.Languages;
 
 namespace RigidBodyDynamics.Lab.Report;
 
-/// <summary>A page to open in the browser: what it is about, how it was made, and its sections.</summary>
+/// <summary>A page for a browser: its subject, the command that made it, and its sections.</summary>
 /// <param name="Name">Its heading.</param>
 /// <param name="About">One line about it.</param>
-/// <param name="File">Its file; the page shows no folders of the machine.</param>
-/// <param name="Command">What follows the program's name on the command line.</param>
+/// <param name="File">Its file, without the folders of the machine.</param>
+/// <param name="Command">The arguments of the command line.</param>
 /// <param name="Sections">From top to bottom.</param>
 internal sealed record Page(Word Name, string About, string File, string Command, IReadOnlyList<Section> Sections)
 {
@@ -30,11 +30,11 @@ internal sealed record Page(Word Name, string About, string File, string Command
         RuntimeInformation.FrameworkDescription,
         Environment.ProcessorCount);
 
-    /// <summary>A path as the page shows it: as it was typed, or the file alone where it names the machine's folders.</summary>
+    /// <summary>A path as the page shows it: as typed, or the file name alone where it contains folders of the machine.</summary>
     public static string Shown(string path)
     {
         string name = Path.IsPathRooted(path) ? Path.GetFileName(path) : path;
-        // no option
+        // so that it is not read as an option
         return name.StartsWith('-') ? "./" + name : name;
     }
 }
@@ -49,14 +49,14 @@ internal abstract record Section
     public Word Title => Words.All[Kind];
 }
 
-/// <summary>The bodies moving, with time, speed and camera in the reader's hand.</summary>
-/// <param name="Motion">What is shown.</param>
+/// <summary>The moving bodies; the reader controls time, speed and camera.</summary>
+/// <param name="Motion">The motion.</param>
 internal sealed record Replay(Motion Motion) : Section
 {
     /// <inheritdoc/>
     public override string Kind => "replay";
 
-    /// <summary>What is not shown of the run; nothing if all of it is.</summary>
+    /// <summary>The parts of the run that are not shown; empty if all of it is.</summary>
     public IReadOnlyList<Word> Left =>
     [
         .. Motion.At.Count <= Motion.Steps.Count ? [Words.All["thinned"].With(Motion.Steps.Count, Motion.At.Count)] : Array.Empty<Word>(),
@@ -65,7 +65,7 @@ internal sealed record Replay(Motion Motion) : Section
 }
 
 /// <summary>Curves that follow the time of the replay.</summary>
-/// <param name="Label">What they are and where their numbers are, for who cannot see them.</param>
+/// <param name="Label">What they show and where the numbers are, for readers who cannot see them.</param>
 internal sealed record TimePlots(Word Label) : Section
 {
     /// <inheritdoc/>

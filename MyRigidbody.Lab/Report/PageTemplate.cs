@@ -7,12 +7,12 @@ using RigidBodyDynamics.Lab.Languages;
 
 namespace RigidBodyDynamics.Lab.Report;
 
-/// <summary>A template of a page. What is put into it is text: HTML only where the template says so.</summary>
-/// <param name="name">Its resource.</param>
-/// <param name="words">The texts that it calls by name.</param>
+/// <summary>A template of a page. Values are inserted as text, and as HTML only where the template says so.</summary>
+/// <param name="name">The name of its resource.</param>
+/// <param name="words">The texts that it refers to by name.</param>
 internal sealed class PageTemplate(string name, IReadOnlyDictionary<string, Word> words)
 {
-    // every letter of every language as it is, and what HTML gives a meaning escaped
+    // letters of all languages as they are; characters special in HTML are escaped
     private static readonly HtmlEncoder Encoder = HtmlEncoder.Create(UnicodeRanges.All);
 
     private readonly Lazy<IFluidTemplate> _template = new(() => new FluidParser().Parse(Resource(name)));
@@ -28,10 +28,10 @@ internal sealed class PageTemplate(string name, IReadOnlyDictionary<string, Word
         return _template.Value.Render(context, Encoder);
     }
 
-    /// <summary>A text that comes with the program: a template, a style or a script.</summary>
+    /// <summary>A resource of the program: a template, a style or a script.</summary>
     public static string Resource(string name) => Text(typeof(PageTemplate).Assembly, "report/" + name);
 
-    /// <summary>A text that comes with an assembly.</summary>
+    /// <summary>A text resource of an assembly.</summary>
     public static string Text(Assembly assembly, string name)
     {
         using StreamReader reader = new(assembly.GetManifestResourceStream(name) ?? throw new InvalidOperationException($"no resource {name}"));
@@ -49,12 +49,12 @@ internal sealed class PageTemplate(string name, IReadOnlyDictionary<string, Word
             Word word = input.ToObjectValue() as Word ?? words[input.ToStringValue()];
             return new StringValue(InBoth(arguments.Count == 0 ? word : word.With([.. arguments.Values.Select(value => value.ToObjectValue())])), encode: false);
         });
-        // what a scene says of itself is known in Chinese where the scene is ours
+        // the description of a scene is translated where the scene is one of ours
         options.Filters.AddFilter("said", (input, _, _) => new StringValue(InBoth(Words.Said(input.ToStringValue())), encode: false));
         return options;
     }
 
-    /// <summary>A text in both languages; style shows one of them.</summary>
+    /// <summary>A text in both languages, of which the style shows one.</summary>
     private static string InBoth(Word word) => word.En == word.Zh
         ? $"<bdi>{Encoder.Encode(word.En)}</bdi>"
         : $"<span lang=\"en\">{Encoder.Encode(word.En)}</span><span lang=\"zh\">{Encoder.Encode(word.Zh)}</span>";

@@ -3,7 +3,7 @@ using RigidBodyDynamics.Lab.Languages;
 
 namespace RigidBodyDynamics.Lab.Report;
 
-/// <summary>Makes one file of a page: template, style, scripts and data, and nothing that a browser would have to fetch.</summary>
+/// <summary>Writes a page as one file: template, style, scripts and data, so that a browser fetches nothing.</summary>
 internal static class PageWriter
 {
     private const string Plotting = "Plotly.NET", PlottingScript = ".min.js";
@@ -17,8 +17,8 @@ internal static class PageWriter
     public static void Write(Page page, string path) => File.WriteAllText(path, Html(page));
 
     /// <summary>The page as HTML.</summary>
-    /// <param name="page">What is on it.</param>
-    /// <param name="plotting">The library that draws curves; the one that comes with the program if absent.</param>
+    /// <param name="page">The page.</param>
+    /// <param name="plotting">The plotting library; the one that comes with the program if absent.</param>
     public static string Html(Page page, string? plotting = null)
     {
         Replay? replay = page.Sections.OfType<Replay>().FirstOrDefault();

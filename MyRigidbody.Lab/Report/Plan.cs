@@ -2,7 +2,7 @@ using RigidBodyDynamics.Lab.Languages;
 
 namespace RigidBodyDynamics.Lab.Report;
 
-/// <summary>What each body's motion consists of and what was left out: what <c>explain</c> prints, of the same explanation.</summary>
+/// <summary>The parts of each body's motion and what was left out: the same explanation that <c>explain</c> prints.</summary>
 internal sealed record Plan(IReadOnlyList<Plan.Of> Bodies) : Section
 {
     private const int MostBodies = 12, MostNames = 5, MostStretches = 20;
@@ -10,10 +10,10 @@ internal sealed record Plan(IReadOnlyList<Plan.Of> Bodies) : Section
     /// <inheritdoc/>
     public override string Kind => "plan";
 
-    /// <summary>How many kinds of motion are not shown.</summary>
+    /// <summary>The number of kinds of motion that are not shown.</summary>
     public int More { get; private init; }
 
-    /// <summary>The plans of bodies; those that move alike stand together.</summary>
+    /// <summary>The plans of bodies; bodies that move alike share one.</summary>
     public static Plan From(IEnumerable<(string Name, BodyPlan Plan)> bodies)
     {
         List<(List<string> Names, Explanation Explanation, BodyPlan Plan)> kinds = [];
@@ -52,9 +52,9 @@ internal sealed record Plan(IReadOnlyList<Plan.Of> Bodies) : Section
     /// <summary>One body, or several that move alike.</summary>
     internal sealed record Of(Word Title, IReadOnlyList<Stretch> Stretches, int More, IReadOnlyList<Omitted> LeftOut, IReadOnlyList<Word> Notes);
 
-    /// <summary>A part of the time, in which the same things act.</summary>
+    /// <summary>A stretch of time in which the same effects act.</summary>
     internal sealed record Stretch(Word When, IReadOnlyList<Word> Parts, bool Coasts);
 
-    /// <summary>What is not computed, and why not.</summary>
+    /// <summary>A part that is not computed, and the reason.</summary>
     internal sealed record Omitted(Word What, Word Why);
 }

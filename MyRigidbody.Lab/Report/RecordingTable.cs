@@ -2,15 +2,15 @@ using RigidBodyDynamics.Lab.Languages;
 
 namespace RigidBodyDynamics.Lab.Report;
 
-/// <summary>How far our simulation is from a recorded body.</summary>
-/// <param name="Lead">Whether it repeats the recording, or where they part.</param>
-/// <param name="Verdict">Whether that is within the tolerance, and what both are.</param>
-/// <param name="Rows">What, and the largest difference in it.</param>
+/// <summary>The difference between our simulation and a recorded body.</summary>
+/// <param name="Lead">Whether it repeats the recording, or the first difference.</param>
+/// <param name="Verdict">Whether that is within the tolerance, with both numbers.</param>
+/// <param name="Rows">The largest difference of each quantity.</param>
 internal sealed record RecordingTable(Word Lead, Word Verdict, IReadOnlyList<RecordingTable.Row> Rows) : Section
 {
     /// <inheritdoc/>
     public override string Kind => "recording";
 
-    /// <summary>The largest difference in one thing.</summary>
+    /// <summary>The largest difference of one quantity.</summary>
     internal sealed record Row(Word What, string Largest);
 }

@@ -3,17 +3,17 @@ using RigidBodyDynamics.Lab.Languages;
 
 namespace RigidBodyDynamics.Lab.Report;
 
-/// <summary>The page of each command, put together of the same sections.</summary>
+/// <summary>The page of each command, composed of common sections.</summary>
 internal static class Reports
 {
     /// <summary>The name of the page in a folder.</summary>
     public const string FileName = "report.html";
 
-    /// <summary>Of <c>compare</c> for a scene.</summary>
+    /// <summary>The page of <c>compare</c> for a scene.</summary>
     /// <param name="file">The scene.</param>
     /// <param name="simulation">Its bodies, for their plans.</param>
-    /// <param name="found">What was found out about each pair.</param>
-    /// <param name="motion">How they move.</param>
+    /// <param name="found">The results for each pair.</param>
+    /// <param name="motion">Their motion.</param>
     public static Page Of(SceneFile file, Simulation simulation, IReadOnlyList<Findings> found, Motion motion) =>
         Page(file, file.Scene, Compare(file.Path), motion,
         [
@@ -23,7 +23,7 @@ internal static class Reports
             Plan.From(Plans(simulation)),
         ]);
 
-    /// <summary>Of <c>compare</c> for a recording.</summary>
+    /// <summary>The page of <c>compare</c> for a recording.</summary>
     public static Page Of(SceneFile file, Simulation simulation, RecordingTable table, Motion motion) =>
         Page(file, file.Scene, Compare(file.Path), motion,
         [
@@ -33,7 +33,7 @@ internal static class Reports
             Plan.From(Plans(simulation)),
         ]);
 
-    /// <summary>Of <c>run</c>.</summary>
+    /// <summary>The page of <c>run</c>.</summary>
     public static Page Of(SceneFile file, SceneDescription scene, Simulation simulation, string command)
     {
         Motion motion = Motion.Of(file, scene, simulation);
@@ -45,7 +45,7 @@ internal static class Reports
         ]);
     }
 
-    /// <summary>Of <c>cost</c>.</summary>
+    /// <summary>The page of <c>cost</c>.</summary>
     public static Page Of(IReadOnlyList<CostFindings> found, string command) => new(
         Words.All["cost.page"], string.Empty, string.Empty, command, [new CostDiagrams(found), Facts.OfMachine()]);
 

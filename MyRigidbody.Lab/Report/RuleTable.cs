@@ -4,7 +4,7 @@ using RigidBodyDynamics.Lab.Languages;
 
 namespace RigidBodyDynamics.Lab.Report;
 
-/// <summary>Which rule makes how much of the difference, for every pair; and what a script in Update makes of the keys.</summary>
+/// <summary>The share of each rule in the difference, for every pair; and the result of applying keys in Update.</summary>
 internal sealed record RuleTable(IReadOnlyList<RuleTable.Of> Pairs) : Section
 {
     private const int MostPairs = 20;
@@ -54,10 +54,10 @@ internal sealed record RuleTable(IReadOnlyList<RuleTable.Of> Pairs) : Section
     /// <summary>A rule.</summary>
     internal sealed record Row(Word Rule, Word Mine, Word Unitys, Share Distance, Share Turn);
 
-    /// <summary>A share: the number, per cent, and a bar that is as long.</summary>
+    /// <summary>A share: the number, per cent, and a bar of that length.</summary>
     internal sealed record Share(double Part, double Whole, string Amount)
     {
-        // bars of shares that take each other back are longer than the whole; a cell is not
+        // bars of shares that cancel each other are longer than the whole; a cell is not
         private const double Longest = 250;
 
         public string Percent => CompareTables.Percent(Part, Whole);

@@ -1,17 +1,17 @@
 namespace RigidBodyDynamics.Lab.Report;
 
-/// <summary>The object that a student's script moves: its poses come from outside, and its velocities are their differences.</summary>
-/// <param name="mass">What energy and momentum are computed with.</param>
-/// <param name="start">Where it starts, at rest.</param>
+/// <summary>The object that a student's script moves: its poses are given, and its velocities are their differences.</summary>
+/// <param name="mass">For energy and momentum.</param>
+/// <param name="start">The start, at rest.</param>
 internal sealed class ScriptBody(MassProperties mass, BodyState start)
 {
-    /// <summary>Where it is, and how it came there from where it was.</summary>
+    /// <summary>The present pose, with the velocities of the last move.</summary>
     public BodyState State { get; private set; } = start;
 
-    /// <summary>What energy and momentum are computed with.</summary>
+    /// <summary>For energy and momentum.</summary>
     public MassProperties Mass => mass;
 
-    /// <summary>Takes it to its next pose.</summary>
+    /// <summary>Moves it to its next pose.</summary>
     /// <param name="position">m.</param>
     /// <param name="orientation">Of any length but zero.</param>
     /// <param name="duration">The time since the last, s.</param>
@@ -21,7 +21,7 @@ internal sealed class ScriptBody(MassProperties mass, BodyState start)
         State = new BodyState(position, next, (1 / duration) * (position - State.Position), (1 / duration) * Turned(State.Orientation, next));
     }
 
-    /// <summary>The shortest turn from one to the other as an axis times an angle, world axes.</summary>
+    /// <summary>The shortest rotation from one to the other as an axis times an angle, world axes.</summary>
     private static Vector3d Turned(Quaterniond from, Quaterniond to)
     {
         Quaterniond turn = to * from.Conjugate;

@@ -1,18 +1,18 @@
 namespace RigidBodyDynamics.Lab.Report;
 
 /// <summary>
-/// A command as a page shows it, to be pasted into a shell, whoever named the files. What a shell would take for more than a
-/// name is quoted so that bash, zsh, PowerShell and cmd read it alike; a name that none of them quotes alike is not shown.
+/// A command on a page, safe to be pasted into a shell with any file names. A name with special characters is quoted so that bash,
+/// zsh, PowerShell and cmd read it alike; a name that cannot be quoted so is not shown.
 /// </summary>
 internal static class Shell
 {
-    /// <summary>Stands for a name that cannot be quoted for every shell.</summary>
+    /// <summary>Replaces a name that cannot be quoted for every shell.</summary>
     public const string Unquotable = "FILE";
 
-    // within double quotes bash looks for $ ` " \ !, PowerShell for its round quotes too, cmd for %
+    // within double quotes $ ` " \ ! are special in bash, round quotes in PowerShell, % in cmd
     private const string MeansMoreInDouble = "$`\"\\!%“”„";
 
-    // what ends single quotes, in PowerShell the round ones too; and what means more in cmd, which has no single quotes
+    // what ends single quotes, in PowerShell the round ones too; and special characters of cmd, which has no single quotes
     private const string MeansMoreInSingle = "'‘’‚‛&|<>^%";
 
     /// <summary>A command with its arguments.</summary>
@@ -31,7 +31,7 @@ internal static class Shell
             : Unquotable;
     }
 
-    // a backslash is a name's own on Windows alone
+    // a backslash belongs to names on Windows alone
     private static bool IsPlain(char letter) =>
         char.IsLetterOrDigit(letter) || "-_./:=".Contains(letter) || (letter == '\\' && OperatingSystem.IsWindows());
 }

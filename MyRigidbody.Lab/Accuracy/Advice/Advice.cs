@@ -1,6 +1,6 @@
 namespace RigidBodyDynamics.Lab;
 
-/// <summary>By which rule, in which steps, a scene is had exactly enough at the least cost.</summary>
+/// <summary>The cheapest integrator and step length that keep the error of a scene below a bound.</summary>
 public sealed class Advice
 {
     internal Advice(Truth truth, Contest contest)
@@ -20,28 +20,28 @@ public sealed class Advice
         Reason = reason;
     }
 
-    /// <summary>The motion that the rules were compared with.</summary>
+    /// <summary>The motion with which the integrators were compared.</summary>
     public Truth Truth { get; }
 
-    /// <summary>True if a rule keeps the error below the bound.</summary>
+    /// <summary>True if an integrator keeps the error below the bound.</summary>
     public bool Reached => Reason.Length == 0;
 
-    /// <summary>The cheapest rule and step below the bound; if none is, the trial with the smallest error.</summary>
+    /// <summary>The cheapest integrator and step length below the bound; if there is none, the trial with the smallest error.</summary>
     public Trial Best { get; }
 
-    /// <summary>The cheapest of the other rules below the bound, each in its longest step; null if there is none.</summary>
+    /// <summary>The cheapest of the other integrators below the bound, each with its longest step; null if there is none.</summary>
     public Trial? RunnerUp { get; }
 
-    /// <summary>By what factor the runner-up is dearer; NaN if there is none.</summary>
+    /// <summary>The cost of the runner-up divided by that of the best; NaN if there is none.</summary>
     public double Factor => RunnerUp == null ? double.NaN : RunnerUp.Cost / Best.Cost;
 
-    /// <summary>How often the times of both were taken, in turns.</summary>
+    /// <summary>The number of rounds in which both were timed.</summary>
     public int Rounds { get; }
 
-    /// <summary>How often the best was the cheaper of the two.</summary>
+    /// <summary>The number of rounds in which the best was the cheaper of the two.</summary>
     public int RoundsWon { get; }
 
-    /// <summary>True if the clock cannot tell which of the two is cheaper: the one that stands first in the catalogue is then advised.</summary>
+    /// <summary>True if the measurement cannot separate the two: the one that is first in the catalogue is then advised.</summary>
     public bool IsTie => RunnerUp != null && (Factor < Advisor.SameCost || RoundsWon < 0.75 * Rounds);
 
     /// <summary>Why no step keeps the error below the bound; empty if one does.</summary>

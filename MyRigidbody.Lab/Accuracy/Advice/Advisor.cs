@@ -2,25 +2,25 @@ using System.Globalization;
 
 namespace RigidBodyDynamics.Lab;
 
-/// <summary>Finds out by trying, at load time, by which rule and in which steps a scene should run.</summary>
+/// <summary>Finds by trial runs, at load time, the integrator and the step length for a scene.</summary>
 public static class Advisor
 {
-    /// <summary>Costs that differ by no more than this factor are the same to the clock; the rule that stands first is then taken.</summary>
+    /// <summary>Costs whose ratio is at most this factor count as equal; the integrator that is first in the catalogue is then chosen.</summary>
     public const double SameCost = 1.03;
 
-    // both are measured once and may be luckily small, and masses and forces have last bits too
+    // the uncertainty and the floor are measured once and may be small by chance, and masses and forces have last bits, too
     private const double Doubt = 4;
 
-    // a step of a rule that is so much dearer than the second best, or than the best, is not looked for
+    // no step is searched for an integrator that costs this factor more than the second best, or than the best
     private const double FarDearer = 3, FarDearerThanBest = 20, ManyBits = 1e-9;
 
-    /// <summary>The cheapest rule and step that keep a scene's error below a bound.</summary>
-    /// <param name="scene">Taken as <see cref="StepFree"/> makes it.</param>
+    /// <summary>The cheapest integrator and step length that keep a scene's error below a bound.</summary>
+    /// <param name="scene">Converted by <see cref="StepFree"/>.</param>
     /// <param name="error">The bound on the larger of the angle (rad) and the distance (m) to the true motion, at any time.</param>
-    /// <param name="progress">Told the fraction that is done.</param>
+    /// <param name="progress">Receives the finished fraction.</param>
     /// <remarks>
-    /// For every rule of the catalogue the longest step in which the error, with what the truth itself is uncertain by, is below the bound;
-    /// then the time of those. A rule is given up where its steps cost far more than the best of the others.
+    /// For every integrator of the catalogue the longest step for which the error, plus the uncertainty of the truth, is below the bound;
+    /// then the times of these. An integrator is dropped where its steps cost far more than the best of the others.
     /// </remarks>
     public static Advice Choose(SceneDescription scene, double error, Action<double>? progress = null)
     {
@@ -29,7 +29,7 @@ public static class Advisor
         return Choose(scene, truth, error, done => progress?.Invoke(0.4 + 0.6 * done));
     }
 
-    /// <summary>The same where the motion is known already.</summary>
+    /// <summary>The same for a known motion.</summary>
     public static Advice Choose(SceneDescription scene, Truth truth, double error, Action<double>? progress = null)
     {
         Guard.Positive(error, nameof(error));
@@ -61,15 +61,15 @@ public static class Advisor
         if (below.Count == 0)
             return new Advice(truth, search.Closest!, Why(truth, search, error));
 
-        // as in the catalogue: of those that cost the same the first is taken
+        // in the order of the catalogue: of equal costs the first is taken
         Trial[] inOrder = [.. Rules.All.SelectMany(rule => below.Where(trial => trial.Rule == rule))];
         return new Advice(truth, new Contest(inOrder, done => progress?.Invoke(0.8 + 0.2 * done)));
     }
 
-    /// <summary>True if a trial keeps the bound, whatever the truth is uncertain by and the last bit of the start changes.</summary>
+    /// <summary>True if a trial is below the bound, including the uncertainty of the truth and the effect of the last bit of the start.</summary>
     internal static bool IsBelow(Trial trial, Truth truth, double error) => trial.Error + Doubt * (truth.Uncertainty + truth.Floor) < error;
 
-    /// <summary>The cheapest of some trials whose time was taken; of those that cost the same, the one that stands first.</summary>
+    /// <summary>The cheapest of some timed trials; of equal costs, the first.</summary>
     internal static Trial FirstOfCheapest(List<Trial> trials) => trials.First(trial => trial.Cost <= SameCost * Cheapest(trials)!.Cost);
 
     private static Trial? Cheapest(List<Trial> trials) => trials.MinBy(trial => trial.Cost);

@@ -1,8 +1,8 @@
 namespace RigidBodyDynamics.Lab;
 
 /// <summary>
-/// What is advised for each body of a scene by itself. Bodies do not feel each other, so each may have its own rule and
-/// its own step; in one scene they have rules of their own, but share the step.
+/// The advice for each body of a scene alone. Bodies do not interact, so each may have its own integrator and its own step; in
+/// one scene they can have different integrators, but share the step.
 /// </summary>
 public sealed class BodyByBody
 {
@@ -16,29 +16,29 @@ public sealed class BodyByBody
         OneStep = oneStep;
     }
 
-    /// <summary>For each body, in the order of the scene: the cheapest rule and step, as if it were alone.</summary>
+    /// <summary>For each body, in the order of the scene: the cheapest integrator and step, as if it were alone.</summary>
     public IReadOnlyList<Advice> Own { get; }
 
-    /// <summary>The rule and step that were advised for all, on each body; empty where there are none.</summary>
+    /// <summary>The integrator and step advised for the whole scene, on each body; empty where there are none.</summary>
     public IReadOnlyList<Trial> OneRule { get; }
 
-    /// <summary>For each body the cheapest rule in steps of one length for all; empty where some body has none.</summary>
+    /// <summary>For each body the cheapest integrator with one step length for all; empty where some body has none.</summary>
     public IReadOnlyList<Trial> OneStep { get; }
 
-    /// <summary>True if every body by itself is kept below the bound.</summary>
+    /// <summary>True if there is an integrator below the bound for every body.</summary>
     public bool Reached => Own.All(advice => advice.Reached);
 
     /// <summary>Time for a simulated second of all bodies, s.</summary>
     public static double CostOf(IEnumerable<Trial> trials) => trials.Sum(trial => trial.Cost);
 
     /// <summary>Chooses for each body of a scene.</summary>
-    /// <param name="scene">Taken as <see cref="StepFree"/> makes it.</param>
-    /// <param name="forAll">What is advised for the scene as a whole.</param>
+    /// <param name="scene">Converted by <see cref="StepFree"/>.</param>
+    /// <param name="forAll">The advice for the whole scene.</param>
     /// <param name="error">The bound, as in <see cref="Advisor.Choose(SceneDescription, double, Action{double}?)"/>.</param>
-    /// <param name="progress">Told the fraction that is done.</param>
+    /// <param name="progress">Receives the finished fraction.</param>
     /// <remarks>
-    /// Two steps are tried for all: the longest that all can take, not above the shortest of their own, and that of the one rule. In longer
-    /// ones the body that needs the shortest would pay more than it must, in shorter ones all others would.
+    /// Two common steps are tried: the longest that suits all bodies, not above the shortest of their own, and the step for the whole scene.
+    /// Longer ones cost the body that needs the shortest step more than necessary, shorter ones cost all others more.
     /// </remarks>
     public static BodyByBody Of(SceneDescription scene, Advice forAll, double error, Action<double>? progress = null)
     {
@@ -57,13 +57,13 @@ public sealed class BodyByBody
             : [];
         List<Trial>[][] byStep = [.. StepsForAll(scene, own, forAll, step => AllBelow(alone, own, step, error)).OfType<List<Trial>[]>()];
 
-        // what is added up and compared is timed in the same turns
+        // trials whose costs are added or compared are timed in the same rounds
         Trial[] all = [.. own.Select(advice => advice.Best).Concat(oneRule).Concat(byStep.SelectMany(bodies => bodies).SelectMany(trials => trials)).Distinct()];
         StepClock.Take(all, SecondsPerTurn, Turns, done => progress?.Invoke(0.8 + 0.2 * done));
         return new BodyByBody(own, oneRule, byStep.Select(bodies => bodies.Select(Advisor.FirstOfCheapest).ToArray()).MinBy(CostOf) ?? []);
     }
 
-    /// <summary>What keeps the bodies below the bound, in the longest step that all can share and in that of the one rule.</summary>
+    /// <summary>The trials below the bound, for the longest step that all bodies can share and for the step of the whole scene.</summary>
     private static IEnumerable<List<Trial>[]?> StepsForAll(SceneDescription scene, Advice[] own, Advice forAll, Func<double, List<Trial>[]?> allBelow)
     {
         if (!own.All(advice => advice.Reached))
@@ -77,11 +77,11 @@ public sealed class BodyByBody
             yield return allBelow(forAll.Best.Step);
     }
 
-    /// <summary>For every body the rules that keep it below the bound in a step; null where one has none.</summary>
+    /// <summary>For every body the integrators below the bound with one step; null where a body has none.</summary>
     private static List<Trial>[]? AllBelow(SceneDescription[] alone, Advice[] own, double step, double error)
     {
         List<Trial>[] below = new List<Trial>[alone.Length];
-        // who takes short steps by itself is the likeliest to have none
+        // a body whose own step is short is the likeliest to have none
         foreach (int i in Enumerable.Range(0, alone.Length).OrderBy(i => own[i].Best.Step))
         {
             below[i] = Below(alone[i], own[i], step, error);
@@ -92,7 +92,7 @@ public sealed class BodyByBody
         return below;
     }
 
-    /// <summary>The rules that keep a body below the bound; in its own step only its own, which is known to be the cheapest.</summary>
+    /// <summary>The integrators below the bound for a body; for its own step only its own integrator, which is known to be the cheapest.</summary>
     private static List<Trial> Below(SceneDescription alone, Advice own, double step, double error) => own.Best.Step == step
         ? [own.Best]
         : [.. Rules.All.Select(rule => Trial.Of(alone, own.Truth, rule, step, error, toItsEnd: false)).Where(trial => Advisor.IsBelow(trial, own.Truth, error))];

@@ -2,11 +2,11 @@ using System.Diagnostics;
 
 namespace RigidBodyDynamics.Lab;
 
-/// <summary>Finds the cheapest of some trials by the clock, and how sure that is: those that cost nearly the same are timed for longer.</summary>
+/// <summary>Finds the cheapest of some trials by timing, and the certainty of that: trials of nearly equal cost are timed for longer.</summary>
 /// <remarks>
-/// A round times each of them some times for a millisecond, in turns, and counts the shortest, which what else runs on the machine
-/// disturbs the least. Of all rounds the lower quartile is what a step costs: no clock that slips once decides. Whoever is far dearer after
-/// the first rounds is out, and whoever was dearer than the cheapest in nine of ten.
+/// A round times each trial several times for a millisecond, alternately, and takes the shortest time, which other programs on the
+/// machine disturb the least. The cost of a step is the lower quartile over the rounds, so one wrong time does not decide. A trial that is
+/// far more expensive after the first rounds, or more expensive than the cheapest in nine of ten rounds, is not timed further.
 /// </remarks>
 internal sealed class Contest
 {
@@ -15,7 +15,7 @@ internal sealed class Contest
 
     private readonly Dictionary<Trial, List<double>> _times;
 
-    /// <summary>Takes the time of trials, of which each broke off nowhere; their <see cref="Trial.NanosecondsPerStep"/> is set.</summary>
+    /// <summary>Times trials, all of which ran to their end; sets their <see cref="Trial.NanosecondsPerStep"/>.</summary>
     public Contest(IReadOnlyList<Trial> trials, Action<double>? progress = null)
     {
         _times = trials.ToDictionary(trial => trial, _ => new List<double>());
@@ -44,7 +44,7 @@ internal sealed class Contest
             progress?.Invoke((double)round / Rounds);
         }
 
-        // of those that cost the same, the one that stands first
+        // of equal costs, the first
         Best = trials.First(trial => trial.Cost <= Advisor.SameCost * trials.Min(other => other.Cost));
         RunnerUp = trials.Where(trial => trial != Best).MinBy(trial => trial.Cost);
     }
@@ -55,13 +55,13 @@ internal sealed class Contest
     /// <summary>The cheapest of the others; null if there is none.</summary>
     public Trial? RunnerUp { get; }
 
-    /// <summary>How many rounds both were in.</summary>
+    /// <summary>The number of rounds in which both were timed.</summary>
     public int RoundsOfBoth => RunnerUp == null ? 0 : Math.Min(_times[Best].Count, _times[RunnerUp].Count);
 
-    /// <summary>In how many of these the best was the cheaper.</summary>
+    /// <summary>The number of these rounds in which the best was the cheaper.</summary>
     public int RoundsWon => RunnerUp == null ? 0 : Won(Best, RunnerUp);
 
-    /// <summary>In how many rounds of both the first was the cheaper.</summary>
+    /// <summary>The number of rounds of both in which the first was the cheaper.</summary>
     private int Won(Trial a, Trial b) => _times[a].Zip(_times[b], (one, other) => one / a.Step < other / b.Step).Count(isCheaper => isCheaper);
 
     private static IEnumerable<(Trial Trial, double Time)> Round(Dictionary<Trial, TimedRun> runs)

@@ -1,9 +1,9 @@
 namespace RigidBodyDynamics.Lab;
 
-/// <summary>The times at which the effects of a body begin and end: its motion is smooth between them, and no step of the truth goes across one.</summary>
+/// <summary>The times at which effects of a body begin and end: its motion is smooth between them, and no step of the truth crosses one.</summary>
 internal sealed class Cuts
 {
-    // what is closer together than this part of the whole is one time
+    // times closer together than this part of the whole count as one
     private const double Same = 1e-9;
 
     private readonly List<double> _times;
@@ -18,7 +18,7 @@ internal sealed class Cuts
         }
     }
 
-    /// <summary>From zero to the end, in their order.</summary>
+    /// <summary>From zero to the end, in order.</summary>
     public IReadOnlyList<double> Times => _times;
 
     private void Add(double time)

@@ -1,6 +1,6 @@
 namespace RigidBodyDynamics.Lab;
 
-/// <summary>How far a body has been from its true motion at most, over all states that were compared.</summary>
+/// <summary>The largest error of a body over all compared states.</summary>
 internal sealed class Deviation
 {
     private double _energy, _momentum, _energyOff, _momentumOff;
@@ -11,16 +11,16 @@ internal sealed class Deviation
     /// <summary>Distance from the true position, m.</summary>
     public double Distance { get; private set; }
 
-    /// <summary>The larger of both.</summary>
+    /// <summary>The larger of the two.</summary>
     public double Largest => Math.Max(Angle, Distance);
 
-    /// <summary>Deviation of the kinetic energy, relative to the largest; in J where that is zero.</summary>
+    /// <summary>Error of the kinetic energy, relative to its largest value; in J where that is zero.</summary>
     public double Energy => _energyOff / (_energy > 0 ? _energy : 1);
 
-    /// <summary>Deviation of the angular momentum as a vector, relative to the largest; in kg m²/s where that is zero.</summary>
+    /// <summary>Error of the angular momentum as a vector, relative to its largest value; in kg m²/s where that is zero.</summary>
     public double Momentum => _momentumOff / (_momentum > 0 ? _momentum : 1);
 
-    /// <summary>Compares one more state; false if it is further off than it may be.</summary>
+    /// <summary>Compares one more state; false if its error exceeds the limit.</summary>
     public bool Add(in BodyState found, in BodyState right, MassProperties mass, double most)
     {
         Angle = Larger(Angle, Conserved.AngleBetween(found.Orientation, right.Orientation));

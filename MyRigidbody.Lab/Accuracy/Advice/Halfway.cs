@@ -1,22 +1,22 @@
 namespace RigidBodyDynamics.Lab;
 
 /// <summary>
-/// Compares a run with the truth between its steps, where a shorter step from the last one leads: a motion that swings in time with
-/// the steps is right at each of them and wrong between.
+/// Compares a run with the truth between its steps, at the end of a shorter step from the last one: a motion that oscillates in
+/// phase with the steps is right at each of them and wrong between.
 /// </summary>
 internal static class Halfway
 {
-    /// <summary>An error between steps may be larger by so much than at the places that are looked at.</summary>
+    /// <summary>The error between steps may exceed the error at the sampled places by this factor.</summary>
     public const double Between = 1.05;
 
-    // where there are few steps each is looked into; of many, some, and of very many fewer, since the run itself takes long
+    // of few steps all are sampled; of many, some, and of very many fewer, because the run itself takes long
     private const int FewSteps = 32, PlacesPerStep = 8, LeastPlaces = 4;
     private const long MostSteps = 100_000;
 
-    // the golden section: no two parts are alike, and no swing that fits into a step fits into them
+    // the golden section: no two parts are equal, and no oscillation that fits into a step coincides with all of them
     private const double Golden = 0.6180339887498949;
 
-    /// <summary>Compares until a state is further off than it may be.</summary>
+    /// <summary>Compares until the error of a state exceeds the limit.</summary>
     public static void Compare(SceneDescription scene, Truth truth, Deviation[] found, double most)
     {
         double length = scene.Steps.Length(0);
@@ -37,7 +37,7 @@ internal static class Halfway
         }
     }
 
-    /// <summary>Steps in their order, and how much of each.</summary>
+    /// <summary>The sampled steps in order, and the part of each.</summary>
     private static IEnumerable<(long Step, double Part)> Places(long count)
     {
         int most = FewSteps * PlacesPerStep;

@@ -1,6 +1,6 @@
 namespace RigidBodyDynamics.Lab;
 
-/// <summary>The share of one of four nodes at 0, 1, 2, 3 in Hermite's interpolation: of its value and of its slope, and their rates.</summary>
+/// <summary>The weights of one of four nodes at 0, 1, 2, 3 in Hermite interpolation: of its value and of its slope, and their derivatives.</summary>
 /// <remarks>With Lagrange's L of the node at c: (1 − 2 (s − c) L'(c)) L², and (s − c) L².</remarks>
 internal readonly record struct HermiteBasis(double Value, double Slope, double ValueRate, double SlopeRate)
 {

@@ -1,10 +1,10 @@
 namespace RigidBodyDynamics.Lab;
 
-/// <summary>The motion of one body at any time: its states at many times, and between them what four of these say.</summary>
+/// <summary>The motion of one body at any time: its states at many times, and an interpolation between them.</summary>
 /// <remarks>
-/// Hermite's interpolation: the polynomial of degree 7 that has the position and the velocity of four neighbouring states, and so for
-/// the orientation, whose derivative is ½ ω q. It misses a smooth motion by the eighth power of the distance of the states. The four
-/// are never taken from both sides of a time at which an effect begins or ends.
+/// Hermite interpolation: the polynomial of degree 7 through the positions and velocities of four neighbouring states, and so for
+/// the orientation, whose derivative is ½ ω q. Its error is of order eight in the distance of the states. The four states are never
+/// taken from both sides of a time at which an effect begins or ends.
 /// </remarks>
 internal sealed class MotionPath
 {
@@ -17,9 +17,9 @@ internal sealed class MotionPath
     private readonly BodyState[] _states;
 
     /// <summary>A path.</summary>
-    /// <param name="body">The body; what cannot move or turn does not.</param>
+    /// <param name="body">The body; a locked translation or rotation stays constant.</param>
     /// <param name="cuts">The times between which the motion is smooth, s.</param>
-    /// <param name="intervals">How many intervals of one length there are between two cuts, four or more.</param>
+    /// <param name="intervals">The number of intervals of one length between two cuts, four or more.</param>
     /// <param name="steps">The intervals.</param>
     /// <param name="states">The state at the beginning, and at the end of each interval.</param>
     public MotionPath(BodyDescription body, IReadOnlyList<double> cuts, IReadOnlyList<int> intervals, TimeSteps steps, BodyState[] states)
@@ -56,11 +56,11 @@ internal sealed class MotionPath
         return Between(from, nearest, interval, time);
     }
 
-    /// <summary>How far two states are apart: the larger of the angle (rad) and the distance (m).</summary>
+    /// <summary>The difference of two states: the larger of the angle (rad) and the distance (m).</summary>
     public static double Apart(in BodyState a, in BodyState b) =>
         Math.Max(Conserved.AngleBetween(a.Orientation, b.Orientation), (a.Position - b.Position).Length);
 
-    /// <summary>Around the nearest state, so that at the states nothing is rounded.</summary>
+    /// <summary>Relative to the nearest state, so that nothing is rounded at the states themselves.</summary>
     private BodyState Between(int from, int nearest, double interval, double time)
     {
         Vector3d offset = _body.Mass.CenterOfMass;
@@ -74,7 +74,7 @@ internal sealed class MotionPath
             HermiteBasis basis = HermiteBasis.Of(i, s);
             if (_body.CanMove)
             {
-                // a position is that of the body's origin, a velocity that of its centre of mass
+                // a position is that of the origin of the body frame, a velocity that of the centre of mass
                 Vector3d moves = interval * (node.Velocity - Vector3d.Cross(node.AngularVelocity, node.Orientation.Rotate(offset)));
                 Vector3d apart = node.Position - near.Position;
                 place += basis.Value * apart + basis.Slope * moves;

@@ -2,14 +2,14 @@ using System.Diagnostics;
 
 namespace RigidBodyDynamics.Lab;
 
-/// <summary>About what a step of each rule costs, before it is known which steps are short enough.</summary>
+/// <summary>A rough cost of a step of each integrator, before it is known which steps are short enough.</summary>
 internal static class Probes
 {
     private const int Steps = 100, LeastRounds = 20;
     private const double SecondsPerTurn = 0.0002, LeastSeconds = 0.3;
 
-    /// <summary>For each scene and rule, ns; NaN where the rule refuses the scene.</summary>
-    /// <remarks>In turns, and for so long that a runtime which compiles again what runs often has done so: else who comes first seems the dearest.</remarks>
+    /// <summary>For each scene and integrator, ns; NaN where the integrator refuses the scene.</summary>
+    /// <remarks>Alternately, and for so long that the runtime has optimised all of them: otherwise the first one appears the most expensive.</remarks>
     public static IReadOnlyList<IReadOnlyDictionary<Rule, double>> Of(IReadOnlyList<SceneDescription> scenes, double duration)
     {
         Dictionary<Rule, double>[] least = [.. scenes.Select(_ => Rules.All.ToDictionary(rule => rule, _ => double.NaN))];
@@ -29,7 +29,7 @@ internal static class Probes
                 }
                 catch (Exception)
                 {
-                    // a rule may refuse a scene, or run away from it in these steps
+                    // an integrator may refuse a scene, or diverge with these steps
                     runs[i].Remove(rule);
                     least[i][rule] = double.NaN;
                 }

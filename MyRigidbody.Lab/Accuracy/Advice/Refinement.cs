@@ -1,17 +1,17 @@
 namespace RigidBodyDynamics.Lab;
 
-/// <summary>Runs a body in shorter and shorter steps.</summary>
+/// <summary>Runs a body with shorter and shorter steps.</summary>
 internal sealed class Refinement
 {
-    // no power of two, and no divisor of what people write: what swings with whole seconds does not meet it
+    // no power of two, and no divisor of usual numbers: an oscillation with a period of whole seconds does not coincide with the steps
     private const int LeastIntervals = 61;
     private const int LeastBetweenCuts = 4, MostIntervals = 1 << 19;
     private const double LongestInterval = 1, NearlyStill = 1e-9, LastBit = 1.0 / (1L << 52);
 
-    // two ways of computing a position part by some last bits of it even where either stands still
+    // two computations of a position differ by some last bits of it even after convergence
     private const double BitsOfPosition = 4;
 
-    // of an order below this a rule is not waited for, where another may be better
+    // an integrator that gains less than this factor is dropped where another may be better
     private const double SlowestGain = 6;
 
     private readonly BodyDescription _body;
@@ -26,7 +26,7 @@ internal sealed class Refinement
         _cuts = new Cuts(body, end).Times;
     }
 
-    /// <summary>The path, how far the one in steps twice as long was from it at all of its states, and what the last bit of the start changes.</summary>
+    /// <summary>The path, its largest distance from the path with steps twice as long, and the effect of the last bit of the start.</summary>
     public (MotionPath Path, double Uncertainty, double Floor) Run(double still, Action<double> progress)
     {
         (MotionPath? Path, Rule Rule, int Parts, double Change) best = (null, Rules.Default, 0, double.PositiveInfinity);
@@ -41,7 +41,7 @@ internal sealed class Refinement
                 MotionPath? next = Path(rule, parts, 0);
                 double change = Apart(last, next);
                 progress(Math.Min(1, Intervals(parts).Sum() / (double)MostIntervals));
-                // a small change that grows again is made of roundings
+                // a small change that grows again consists of roundings
                 rounds = change >= before && before < NearlyStill;
                 slow = before < double.PositiveInfinity && change < 0.01 && before < SlowestGain * change ? slow + 1 : 0;
                 if (change < best.Change)
@@ -69,7 +69,7 @@ internal sealed class Refinement
         Rule highest = Rules.All[0];
         foreach (Rule rule in Rules.All)
         {
-            // Unity's rule has limits of its own
+            // UnityRigidbody has limits of its own
             if (rule.Order >= highest.Order && rule != Rules.UnityRigidbody)
                 highest = rule;
         }
@@ -77,14 +77,14 @@ internal sealed class Refinement
         return highest;
     }
 
-    /// <summary>How many intervals there are between two cuts.</summary>
+    /// <summary>The number of intervals between two cuts.</summary>
     private IEnumerable<int> Intervals(int parts)
     {
         double longest = Math.Min(_end / LeastIntervals, LongestInterval);
         return _cuts.Skip(1).Select((cut, i) => parts * (int)Math.Max(LeastBetweenCuts, Math.Ceiling((cut - _cuts[i]) / longest)));
     }
 
-    /// <summary>The motion from a start that is moved by a part of itself; null where the steps are too long for the effects.</summary>
+    /// <summary>The motion from a start that is changed by a relative amount; null where the steps are too long for the effects.</summary>
     private MotionPath? Path(Rule rule, int parts, double nudge)
     {
         int[] intervals = [.. Intervals(parts)];
@@ -120,7 +120,7 @@ internal sealed class Refinement
         }
         catch (StateOverflowException)
         {
-            // in steps that long it runs away: it is nowhere
+            // the integration diverges with steps of this length: the state is NaN
             BodyState nowhere = new BodyState(new Vector3d(double.NaN, 0, 0), Quaterniond.Identity, Vector3d.Zero, Vector3d.Zero);
             for (long i = simulation.StepsDone + 1; i < states.Length; i++)
                 states[i] = nowhere;
@@ -131,7 +131,7 @@ internal sealed class Refinement
 
     private static Vector3d Nudged(Vector3d v, double e) => new Vector3d(v.X * (1 + e), v.Y * (1 - e), v.Z * (1 + e));
 
-    /// <summary>How far a path is at most from the states of one that has as many or more, and at least some last bits of what is compared.</summary>
+    /// <summary>The largest distance of a path from the states of one with as many or more, at least some last bits of the compared numbers.</summary>
     private static double Apart(MotionPath? path, MotionPath? other)
     {
         if (path == null || other == null)

@@ -1,28 +1,28 @@
 namespace RigidBodyDynamics.Lab;
 
-/// <summary>What is left out of a body's motion, and the time that saves.</summary>
-/// <param name="Omission">What, and why.</param>
-/// <param name="Without">A step as it is, ns; NaN where it was not measured.</param>
-/// <param name="With">A step with it, ns; NaN where there is nothing to put back, or it was not measured.</param>
+/// <summary>A part left out of a body's motion, and the time that this saves.</summary>
+/// <param name="Omission">The part, and the reason.</param>
+/// <param name="Without">Time of a step without it, ns; NaN where it was not measured.</param>
+/// <param name="With">Time of a step with it, ns; NaN where there is nothing to put back, or it was not measured.</param>
 internal sealed record Saving(Omission Omission, double Without, double With)
 {
     private const int Turns = 12;
     private const double SecondsPerTurn = 0.004;
 
-    /// <summary>Never less than nothing: what is not there cannot cost time, only the clock can be wrong.</summary>
+    /// <summary>Not below zero: a part that is not computed cannot cost time, so a negative value is an error of measurement.</summary>
     public double Nanoseconds => Math.Max(0, With - Without);
 
-    /// <summary>What is left out, without the time it saves.</summary>
+    /// <summary>The parts left out, without the time that this saves.</summary>
     public static IReadOnlyList<Saving> NotMeasured(IReadOnlyList<Omission> leftOut) =>
         [.. leftOut.Select(omission => new Saving(omission, double.NaN, double.NaN))];
 
-    /// <summary>Takes the time of a body as it is and with each thing put back, in turns.</summary>
+    /// <summary>Times a body without the parts, and with each of them put back, alternately.</summary>
     /// <param name="plan">The body.</param>
     /// <param name="leftOut">What is left out.</param>
-    /// <param name="report">Told the fraction that is done.</param>
+    /// <param name="report">Receives the finished fraction.</param>
     public static IReadOnlyList<Saving> Measure(BodyPlan plan, IReadOnlyList<Omission> leftOut, Action<double> report)
     {
-        // every step taken, whoever looks; the steps themselves are what a body that coasts saves
+        // takes every step, because those steps are what a body that coasts saves
         (SceneDescription Scene, Omissions MayLeaveOut)[] runs =
         [
             (Alone(plan.Asked, plan), Omissions.All & ~Omissions.Coasting),

@@ -2,30 +2,30 @@ using System.Diagnostics;
 
 namespace RigidBodyDynamics.Lab;
 
-/// <summary>Takes the time that steps need. The one clock of the library, and no motion depends on it.</summary>
+/// <summary>Measures the time of steps. The only clock of the library; no motion depends on it.</summary>
 public static class StepClock
 {
-    // so many steps take long beside a look at the clock
+    // so many steps take long compared with reading the clock
     private const long Chunk = 2000;
 
-    // a runtime that compiles again what runs often has done so by then, s
+    // by then a runtime has optimised code that runs often, s
     private const double WarmUp = 0.15;
 
-    // a body that coasts takes its steps in less time than it takes to make it
+    // creating a body that coasts takes longer than its steps
     private const double MostPerSecond = 5;
 
-    // a time of so many ticks is known to some percent, whatever the clock: browsers make theirs coarse
+    // a time of so many ticks is known to some percent with any clock: those of browsers are coarse
     private const double Ticks = 40;
     private const int LeastTurns = 1, LongPiece = 1000;
     private const double LeastSeconds = 0.002, FineTick = 1e-5;
 
-    /// <summary>Takes the time of trials in turns, so that what slows the machine for a while slows all of them.</summary>
+    /// <summary>Times trials alternately, so that a temporary load on the machine slows all of them.</summary>
     /// <param name="trials">The trials; their <see cref="Trial.NanosecondsPerStep"/> is set.</param>
-    /// <param name="seconds">How long each of them runs in a turn.</param>
+    /// <param name="seconds">The duration of one run of each, s.</param>
     /// <param name="repeats">
-    /// How many turns count at most, after some that do not; the shortest time is kept, and one that has come back five times is not taken again.
+    /// The largest number of rounds that count, after some that do not; the shortest time is kept, and a trial whose shortest time has come back five times is not timed again.
     /// </param>
-    /// <param name="progress">Told the fraction that is done.</param>
+    /// <param name="progress">Receives the finished fraction.</param>
     public static void Take(IReadOnlyList<Trial> trials, double seconds, int repeats, Action<double>? progress = null)
     {
         Guard.Positive(seconds, nameof(seconds));
@@ -52,7 +52,7 @@ public static class StepClock
             trials[i].NanosecondsPerStep = double.MinNumber(trials[i].NanosecondsPerStep, times[i].Value);
     }
 
-    /// <summary>The time between two ticks of the clock, s: what it cannot tell apart.</summary>
+    /// <summary>The time between two ticks of the clock, s: its resolution.</summary>
     internal static double Tick()
     {
         const int Looks = 10;
@@ -69,10 +69,10 @@ public static class StepClock
         return (double)least / Stopwatch.Frequency;
     }
 
-    /// <summary>How long a trial runs at least before the next has its turn, by a clock with that tick, s.</summary>
+    /// <summary>The least duration of a run of one trial, for a clock with that tick, s.</summary>
     internal static double SecondsAtOnce(double tick) => Math.Max(LeastSeconds, Ticks * tick);
 
-    /// <summary>Takes the time of trials in turns until some seconds are over, by a clock that may be coarse: as many steps at once as take many of its ticks.</summary>
+    /// <summary>Times trials alternately until some seconds are over, with a clock that may be coarse: each run takes many ticks.</summary>
     internal static void TakeWithin(IReadOnlyList<Trial> trials, double seconds, Action<double>? progress = null)
     {
         Stopwatch all = Stopwatch.StartNew();
@@ -84,7 +84,7 @@ public static class StepClock
             for (int i = 0; i < runs.Length; i++)
             {
                 double time = runs[i]?.Nanoseconds(each) ?? double.PositiveInfinity;
-                // the first turn is for a runtime that compiles what runs often
+                // in the first round the runtime still optimises
                 if (turn > 0 && !(time >= trials[i].NanosecondsPerStep))
                     trials[i].NanosecondsPerStep = time;
 
@@ -93,7 +93,7 @@ public static class StepClock
         }
     }
 
-    /// <summary>For a step of a body, ns: the scene from its start on, as often as fits. To make it takes no time of the clock.</summary>
+    /// <summary>For a step of a body, ns: the scene from its start, as often as time allows. Creating the simulation is not timed.</summary>
     internal static double Nanoseconds(SceneDescription scene, Omissions mayLeaveOut, double seconds)
     {
         Simulation[] batch = new Simulation[Math.Max(1, Chunk / scene.Steps.Count)];

@@ -1,13 +1,13 @@
 namespace RigidBodyDynamics.Lab;
 
-/// <summary>Makes of a scene one whose motion is the same however its time is divided, so that steps can be compared.</summary>
+/// <summary>Converts a scene to one whose motion does not depend on the step length, so that step lengths can be compared.</summary>
 public static class StepFree
 {
     /// <summary>
-    /// The scene with rates in place of factors: a factor f once a step becomes damping at the rate −ln(f) / step,
-    /// 1/s, which leaves as much of a velocity after each step of the scene's own length.
+    /// The scene with rates in place of factors: a factor f once a step becomes damping at the rate −ln(f) / step, 1/s, which
+    /// multiplies a velocity by the same factor over a step of the scene's own length.
     /// </summary>
-    /// <remarks>Refuses what has no such counterpart: values for every step, a factor in steps of several lengths, a factor of zero.</remarks>
+    /// <remarks>Refuses effects without such a counterpart: values for every step, a factor with steps of several lengths, a factor of zero.</remarks>
     public static SceneDescription Of(SceneDescription scene)
     {
         TimeSteps steps = Guard.NotNull(scene, nameof(scene)).Steps;
@@ -23,7 +23,7 @@ public static class StepFree
         return new SceneDescription(scene.Name, scene.About, steps, bodies);
     }
 
-    /// <summary>Where a scene has a factor per step, and the rates of damping of velocity and spin, 1/s, that stand for it.</summary>
+    /// <summary>The places of factors per step in a scene, and the equivalent rates of damping of velocity and angular velocity, 1/s.</summary>
     internal static IEnumerable<(string Place, double Linear, double Angular)> Rates(SceneDescription scene)
     {
         for (int i = 0; i < scene.Bodies.Count; i++)
@@ -37,7 +37,7 @@ public static class StepFree
         }
     }
 
-    /// <summary>The scene with other steps and another rule for every body.</summary>
+    /// <summary>The scene with other steps and another integrator for every body.</summary>
     internal static SceneDescription By(SceneDescription scene, Rule rule, TimeSteps steps)
     {
         BodyDescription[] bodies = new BodyDescription[scene.Bodies.Count];
@@ -87,11 +87,11 @@ public static class StepFree
 
     private static double Rate(double factor, TimeSteps steps) => factor == 1 ? 0 : MinusLog(factor) / steps.Length(0);
 
-    /// <summary>−ln x for 0 &lt; x ≤ 1: Halley's rule on e^(−y) = x, so that all runtimes agree.</summary>
+    /// <summary>−ln x for 0 &lt; x ≤ 1: Halley's iteration for e^(−y) = x, so that all runtimes agree.</summary>
     private static double MinusLog(double x)
     {
         double y = 0, before = double.NaN;
-        // far from the root it goes by steps of two, and the smallest double is e^(−745)
+        // far from the root one iteration moves y by two, and the smallest double is e^(−745)
         for (int i = 0; i < 400 && y != before; i++)
         {
             double e = Elementary.Exp(-y);

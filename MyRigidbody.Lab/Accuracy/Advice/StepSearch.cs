@@ -1,10 +1,10 @@
 namespace RigidBodyDynamics.Lab;
 
-/// <summary>Looks for the longest step in which a rule keeps an error.</summary>
+/// <summary>Searches the longest step with which an integrator keeps an error bound.</summary>
 /// <remarks>
-/// An error does not fall evenly with the step: one that meets the beginnings of effects, or a swing, is better than its neighbours. So
-/// all steps are tried from the longest down, and a run ends where it is too far off. Where runs are long this would take minutes; there
-/// each is run to its end, and what is far too long by the rule's order is passed over.
+/// The error is not a monotonic function of the step: a step that coincides with the beginnings of effects, or with an oscillation, is
+/// better than its neighbours. So all steps are tried from the longest down, and a run ends where its error exceeds the limit. Where runs
+/// are long this would take minutes; there each runs to its end, and steps far too long by the integrator's order are skipped.
 /// </remarks>
 internal sealed class StepSearch
 {
@@ -31,18 +31,18 @@ internal sealed class StepSearch
     /// <summary>The trial with the smallest error of those that ran to their end; null before there is one.</summary>
     public Trial? Closest { get; private set; }
 
-    /// <summary>True if a shorter step than that of the closest was further off.</summary>
+    /// <summary>True if a shorter step than that of the closest trial had a larger error.</summary>
     public bool RisesAgain { get; private set; }
 
-    /// <summary>True if some of the steps meet all times at which effects begin and end, or there are none.</summary>
+    /// <summary>True if some of the steps coincide with all times at which effects begin and end, or there are none.</summary>
     public bool MeetsEffects => !_hasEffectsInTime || _aligned.Count > 0;
 
-    /// <summary>The trial in the longest step that keeps the error; null if there is none.</summary>
-    /// <param name="rule">The rule.</param>
-    /// <param name="isTooDear">True for a step that is too short to be worth it; the search then ends.</param>
+    /// <summary>The trial with the longest step below the bound; null if there is none.</summary>
+    /// <param name="rule">The integrator.</param>
+    /// <param name="isTooDear">True for a step so short that its cost is not worth it; the search then ends.</param>
     public Trial? Longest(Rule rule, Func<double, bool> isTooDear)
     {
-        // those that meet the effects, and the others, whose errors say nothing of each other
+        // steps that coincide with the effects, and the others: the errors of one kind say nothing of the other
         Passed met = new(), missed = new();
         foreach (double step in _steps)
         {
@@ -66,10 +66,10 @@ internal sealed class StepSearch
                 continue;
 
             Note(trial);
-            // what no longer falls with the step is made of roundings
+            // an error that no longer falls with the step consists of roundings
             kind.Rises = trial.Error >= kind.Error && kind.Error < ManyBits ? kind.Rises + 1 : 0;
             kind.Error = trial.Error;
-            // what misses an effect is off by the size of the step, whatever the rule
+            // a step that does not coincide with an effect has an error of the size of the step, with any integrator
             if (count > LongRun && Guard.IsFinite(trial.Error))
                 kind.Below = Math.Min(kind.Below, step * Beside * Math.Pow(_error / trial.Error, misses ? 1 : 1.0 / rule.Order));
         }
@@ -84,7 +84,7 @@ internal sealed class StepSearch
         Closest = isClosest ? trial : Closest;
     }
 
-    /// <summary>What the steps that were tried say of the next.</summary>
+    /// <summary>The conclusions from steps tried for the next one.</summary>
     private sealed class Passed
     {
         public double Below = double.PositiveInfinity, Error = double.PositiveInfinity;

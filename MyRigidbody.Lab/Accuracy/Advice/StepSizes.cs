@@ -2,10 +2,10 @@ using System.Globalization;
 
 namespace RigidBodyDynamics.Lab;
 
-/// <summary>The steps that are tried for a scene: each is a number that <c>run --step</c> takes as it is.</summary>
+/// <summary>The step lengths that are tried for a scene: numbers that can be typed after <c>run --step</c>.</summary>
 /// <remarks>
-/// Numbers of three digits, from the whole scene down; so many equal steps as make the whole where these are few; and, where effects
-/// begin or end, the steps that meet all of those times, because one that misses an effect is off by more than any rule.
+/// Numbers of three digits, from the whole duration down; equal parts of the duration where these are few; and, where effects
+/// begin or end, the lengths that coincide with all those times, because otherwise the error is larger than that of any integrator.
 /// </remarks>
 internal static class StepSizes
 {
@@ -18,15 +18,15 @@ internal static class StepSizes
         return [.. Decimals(duration).Concat(Whole(duration)).Concat(Aligned(scene, duration)).Where(step => EndsInTime(step, duration)).Distinct().OrderDescending()];
     }
 
-    /// <summary>The times at which effects begin and end, in their order.</summary>
+    /// <summary>The times at which effects begin and end, in order.</summary>
     public static double[] Cuts(SceneDescription scene, double duration) => [.. scene.Bodies
         .SelectMany(body => new Cuts(body, duration * Truth.Beyond).Times)
         .Where(time => time > 0 && time <= duration).Distinct().Order()];
 
-    /// <summary>How many such steps reach the end.</summary>
+    /// <summary>The number of such steps that reach the end.</summary>
     public static long Count(double duration, double step) => TimeSteps.Until(duration, step).Count;
 
-    // the last step may pass the end, but not the end of what is known
+    // the last step may pass the end of the scene, but not the end of the known motion
     private static bool EndsInTime(double step, double duration) => Count(duration, step) * step <= duration * (Truth.Beyond - Meets);
 
     private static IEnumerable<double> Whole(double duration) => Enumerable.Range(1, FewSteps).Select(count => Plain(duration / count));
@@ -37,7 +37,7 @@ internal static class StepSizes
             yield return double.Parse(step.ToString("G3", CultureInfo.InvariantCulture), CultureInfo.InvariantCulture);
     }
 
-    /// <summary>The steps that meet all times at which effects begin and end, from the longest down; none where there are no such times.</summary>
+    /// <summary>The step lengths that coincide with all times at which effects begin and end, from the longest down; none where there are no such times.</summary>
     public static IEnumerable<double> Aligned(SceneDescription scene, double duration)
     {
         double[] cuts = Cuts(scene, duration);
@@ -53,7 +53,7 @@ internal static class StepSizes
         }
     }
 
-    /// <summary>0.2 in place of 0.20000000000000004, which nobody likes to type.</summary>
+    /// <summary>0.2 in place of 0.20000000000000004, because the number is typed.</summary>
     private static double Plain(double step)
     {
         double plain = double.Parse(step.ToString("G12", CultureInfo.InvariantCulture), CultureInfo.InvariantCulture);

@@ -2,18 +2,18 @@ using System.Diagnostics;
 
 namespace RigidBodyDynamics.Lab;
 
-/// <summary>Runs a scene again and again from the same places, every step taken, and says what a step costs.</summary>
+/// <summary>Runs a scene again and again from the same steps, taking every step, and gives the cost of a step.</summary>
 internal sealed class TimedRun
 {
-    /// <summary>A run that is too long to be timed whole is timed in pieces from here on: effects may act for a part of it only.</summary>
+    /// <summary>A run that is too long to be timed as a whole is timed in pieces from this many steps on: effects may act for a part of it only.</summary>
     internal const int MostPlaces = 16;
 
-    /// <summary>So many steps take long beside a look at the clock.</summary>
+    /// <summary>So many steps take long compared with reading the clock.</summary>
     internal const long Piece = 250;
 
     private const int MostSimulations = 250;
 
-    // those of one are timed together
+    // the runs of one place are timed together
     private readonly List<(Simulation Simulation, SavedSimulation Place)[]> _batches = [];
     private readonly long _piece;
 
@@ -36,17 +36,17 @@ internal sealed class TimedRun
         }
     }
 
-    /// <summary>From where on it is timed, in steps.</summary>
+    /// <summary>The steps from which it is timed.</summary>
     internal IEnumerable<long> Places => _batches.Select(batch => batch[0].Place.StepsDone);
 
-    /// <summary>For a step of a body, ns, within some seconds of the clock.</summary>
+    /// <summary>For a step of a body, ns, measured within some seconds.</summary>
     public double Nanoseconds(double seconds)
     {
         Stopwatch clock = new Stopwatch();
         long done = 0;
         while (clock.Elapsed.TotalSeconds < seconds)
         {
-            // all of them or none, so that each counts the same
+            // either all places or none, so that each has the same weight
             foreach ((Simulation Simulation, SavedSimulation Place)[] batch in _batches)
             {
                 foreach ((Simulation simulation, SavedSimulation place) in batch)

@@ -1,6 +1,6 @@
 namespace RigidBodyDynamics.Lab;
 
-/// <summary>One rule at one step on one scene: how far it is from the truth, and what it costs.</summary>
+/// <summary>One integrator with one step length on one scene: its error and its cost.</summary>
 public sealed class Trial
 {
     private Trial(SceneDescription scene, Rule rule, double step)
@@ -10,37 +10,37 @@ public sealed class Trial
         Step = step;
     }
 
-    /// <summary>The rule.</summary>
+    /// <summary>The integrator.</summary>
     public Rule Rule { get; }
 
-    /// <summary>Length of its steps, s.</summary>
+    /// <summary>The step length, s.</summary>
     public double Step { get; }
 
-    /// <summary>How many steps there are: as many as it takes to reach the end of the scene, which the last may pass.</summary>
+    /// <summary>The number of steps: as many as reach the end of the scene, which the last may pass.</summary>
     public long Steps => Scene.Steps.Count;
 
     /// <summary>
-    /// Largest angle to the true orientation over all bodies and steps, and between steps (<see cref="Halfway"/>), rad; at the samples
-    /// only where no more is known. Infinite if the run broke off.
+    /// Largest angle to the true orientation over all bodies and steps, and between steps (<see cref="Halfway"/>), rad; only at the
+    /// samples where the truth has no other times. Infinite if the run broke off.
     /// </summary>
     public double AngleError { get; private set; }
 
     /// <summary>Largest distance from the true position, m.</summary>
     public double PositionError { get; private set; }
 
-    /// <summary>Largest deviation of a kinetic energy from the true one, relative to its largest; in J where that is zero.</summary>
+    /// <summary>Largest error of a kinetic energy, relative to its largest value; in J where that is zero.</summary>
     public double EnergyDrift { get; private set; }
 
-    /// <summary>Largest deviation of an angular momentum, as a vector, relative to its largest; in kg m²/s where that is zero.</summary>
+    /// <summary>Largest error of an angular momentum, as a vector, relative to its largest value; in kg m²/s where that is zero.</summary>
     public double MomentumDrift { get; private set; }
 
     /// <summary>The larger of the angle (rad) and the distance (m).</summary>
     public double Error => Math.Max(AngleError, PositionError);
 
-    /// <summary>True if the run was ended before its end, because an error was above what is allowed: the true one is larger.</summary>
+    /// <summary>True if the run was ended early because its error exceeded the limit: the whole run has a larger error.</summary>
     public bool GaveUp { get; private set; }
 
-    /// <summary>Time for one step of one body, ns; NaN until it is taken by <see cref="StepClock"/>.</summary>
+    /// <summary>Time for one step of one body, ns; NaN until <see cref="StepClock"/> has measured it.</summary>
     public double NanosecondsPerStep { get; internal set; } = double.NaN;
 
     /// <summary>Time for a simulated second of one body, s.</summary>
@@ -48,17 +48,17 @@ public sealed class Trial
 
     internal SceneDescription Scene { get; }
 
-    /// <summary>Runs a scene once, as <c>run</c> does, and compares it with the truth at the end of every step and between.</summary>
-    /// <param name="scene">Taken as <see cref="StepFree"/> makes it.</param>
+    /// <summary>Runs a scene once, as <c>run</c> does, and compares it with the truth at the end of every step and between steps.</summary>
+    /// <param name="scene">Converted by <see cref="StepFree"/>.</param>
     /// <param name="truth">Its motion.</param>
-    /// <param name="rule">The rule.</param>
-    /// <param name="step">Length of its steps, s.</param>
-    /// <param name="most">With an error above it a run is not looked at between its steps.</param>
-    /// <param name="toItsEnd">False: nor is it then run to its end.</param>
+    /// <param name="rule">The integrator.</param>
+    /// <param name="step">The step length, s.</param>
+    /// <param name="most">Above this error a run is not compared between its steps.</param>
+    /// <param name="toItsEnd">False: above it the run is not continued to its end either.</param>
     public static Trial Of(SceneDescription scene, Truth truth, Rule rule, double step, double most = double.PositiveInfinity, bool toItsEnd = true) =>
         OfStepFree(StepFree.Of(scene), Guard.NotNull(truth, nameof(truth)), Guard.NotNull(rule, nameof(rule)), step, most, toItsEnd);
 
-    /// <summary>The same of a scene that <see cref="StepFree"/> has made.</summary>
+    /// <summary>The same for a scene converted by <see cref="StepFree"/>.</summary>
     internal static Trial OfStepFree(SceneDescription scene, Truth truth, Rule rule, double step, double most, bool toItsEnd)
     {
         TimeSteps steps = TimeSteps.Until(truth.Duration, step);
@@ -79,7 +79,7 @@ public sealed class Trial
         }
         catch (Exception)
         {
-            // a rule may refuse a scene; that is an answer
+            // an integrator may refuse a scene; that is a result
             trial.AngleError = double.NaN;
         }
 

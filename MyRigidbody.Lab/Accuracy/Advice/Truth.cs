@@ -1,20 +1,20 @@
 namespace RigidBodyDynamics.Lab;
 
-/// <summary>How the bodies of a scene really move, and how exactly that can be had: at any time, or, where it is known from elsewhere, at some.</summary>
+/// <summary>The true motion of a scene's bodies, and its uncertainty: known at any time, or, where it comes from elsewhere, at some times.</summary>
 public sealed class Truth
 {
-    /// <summary>A path is known for so much longer than the scene: a last step may end after it.</summary>
+    /// <summary>A path is known this factor beyond the end of the scene: a last step may end after it.</summary>
     internal const double Beyond = 1.1;
 
-    // how little an answer must change to stand still: at all, and beside an error that is asked for
+    // the change below which a refinement has converged: absolute, and relative to the requested error
     private const double Still = 1e-14, StillBesideError = 1e-3, MostSeconds = 1 << 16;
 
     private readonly (MotionPath Path, double Uncertainty, double Floor)[] _bodies;
 
-    /// <summary>A motion that is known from elsewhere.</summary>
+    /// <summary>A motion from elsewhere.</summary>
     /// <param name="baseStep">All times are whole multiples of it, s.</param>
     /// <param name="uncertainty">The error of the states themselves, the larger of rad and m.</param>
-    /// <param name="samples">At least one, in the order of time.</param>
+    /// <param name="samples">At least one, in order of time.</param>
     public Truth(double baseStep, double uncertainty, IReadOnlyList<TruthSample> samples)
     {
         BaseStep = Guard.Positive(baseStep, nameof(baseStep));
@@ -45,7 +45,7 @@ public sealed class Truth
         Floor = bodies.Max(body => body.Floor);
     }
 
-    /// <summary>The longest of the steps in which <c>cost</c> compares rules; it leads to every sample, s.</summary>
+    /// <summary>The longest of the steps with which <c>cost</c> compares integrators; it leads to every sample, s.</summary>
     public double BaseStep { get; }
 
     /// <summary>The end of the scene, s.</summary>
@@ -54,20 +54,20 @@ public sealed class Truth
     /// <summary>The error of the states themselves, the larger of rad and m.</summary>
     public double Uncertainty { get; }
 
-    /// <summary>The largest error that the last bit of the start makes, the larger of rad and m: no rule can be held to less.</summary>
+    /// <summary>The largest error due to the last bit of the start, the larger of rad and m: no integrator can have a smaller one.</summary>
     public double Floor { get; }
 
-    /// <summary>The only states that are known, in the order of time; none where they are known at any time.</summary>
+    /// <summary>The only known states, in order of time; none where the motion is known at any time.</summary>
     public IReadOnlyList<TruthSample> Samples { get; }
 
     /// <summary>
-    /// Computes the motion by the rule of highest order in the catalogue, in steps of half the length again and again, until the answer
-    /// stands still: at every state, and between them. Time is cut exactly where effects begin and end. If that is slow, by RungeKutta4.
+    /// Computes the motion by the integrator of highest order in the catalogue, halving the step length until the result has
+    /// converged: at every state, and between them. Time is cut exactly where effects begin and end. If that is slow, by RungeKutta4.
     /// </summary>
-    /// <param name="scene">Taken as <see cref="StepFree"/> makes it.</param>
-    /// <param name="progress">Told the fraction that is done.</param>
-    /// <param name="error">What it is to judge, the larger of rad and m: a thousandth of it is exact enough. 0: as exact as can be.</param>
-    /// <remarks>The uncertainty is the last change; the floor, what a start moved by its last bits changes.</remarks>
+    /// <param name="scene">Converted by <see cref="StepFree"/>.</param>
+    /// <param name="progress">Receives the finished fraction.</param>
+    /// <param name="error">The error to be judged by it, the larger of rad and m: a thousandth of it is accurate enough. 0: as accurate as possible.</param>
+    /// <remarks>The uncertainty is the last change; the floor is the change due to the last bits of the start.</remarks>
     public static Truth Of(SceneDescription scene, Action<double>? progress = null, double error = 0)
     {
         SceneDescription free = StepFree.Of(scene);
@@ -99,7 +99,7 @@ public sealed class Truth
     /// <summary>The same for one of the bodies.</summary>
     internal Truth Alone(int body) => new Truth(Duration, [_bodies[body]]);
 
-    /// <summary>The ends of those steps at which the motion is known.</summary>
+    /// <summary>The ends of the steps at which the motion is known.</summary>
     internal IEnumerable<long> Known(TimeSteps steps) => _bodies.Length > 0
         ? Enumerable.Range(1, checked((int)steps.Count)).Select(step => (long)step)
         : Samples.Select(sample => steps.FirstAt(sample.At * BaseStep));
@@ -110,7 +110,7 @@ public sealed class TruthSample
 {
     /// <summary>The states at a time.</summary>
     /// <param name="at">The time, in base steps.</param>
-    /// <param name="floor">The error that can be attained there, the larger of rad and m.</param>
+    /// <param name="floor">The smallest error possible there, the larger of rad and m.</param>
     /// <param name="bodies">The states, in the order of the scene.</param>
     public TruthSample(long at, double floor, IReadOnlyList<BodyState> bodies)
     {
@@ -122,7 +122,7 @@ public sealed class TruthSample
     /// <summary>The time, in base steps.</summary>
     public long At { get; }
 
-    /// <summary>The error that can be attained there, the larger of rad and m.</summary>
+    /// <summary>The smallest error possible there, the larger of rad and m.</summary>
     public double Floor { get; }
 
     /// <summary>The states, in the order of the scene.</summary>

@@ -7,11 +7,11 @@ namespace RigidBodyDynamics.Lab;
 /// <summary>All trials as CSV: SI units and radians, except nanosecondsPerStep; Infinity where a run broke off.</summary>
 internal static class CostCsv
 {
-    /// <summary>The first line.</summary>
+    /// <summary>The header.</summary>
     public const string Header =
         "scene,integrator,order,step,steps,angleError,positionError,energyDrift,momentumDrift,nanosecondsPerStep,secondsPerSimulatedSecond";
 
-    /// <summary>A row a trial.</summary>
+    /// <summary>One row for each trial.</summary>
     public static string Of(IEnumerable<CostFindings> found)
     {
         StringBuilder text = new(Header + "\n");

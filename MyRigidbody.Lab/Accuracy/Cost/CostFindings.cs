@@ -2,21 +2,21 @@ using System.Collections.Concurrent;
 
 namespace RigidBodyDynamics.Lab;
 
-/// <summary>Every rule of the catalogue on one motion, in steps of many lengths.</summary>
+/// <summary>Every integrator of the catalogue on one motion, with many step lengths.</summary>
 /// <param name="Motion">The motion.</param>
-/// <param name="Trials">The trials, rule by rule, from the longest step down.</param>
+/// <param name="Trials">The trials, integrator by integrator, from the longest step down.</param>
 internal sealed record CostFindings(CostMotion Motion, IReadOnlyList<Trial> Trials)
 {
-    /// <summary>Errors for which the cheapest rule is named.</summary>
+    /// <summary>Errors for which the cheapest integrator is named.</summary>
     public static readonly double[] Bounds = [1e-3, 1e-6, 1e-9];
 
-    /// <summary>How many steps the truth's base step is divided into: from 1 s down to 0.1 ms where that is 1 s.</summary>
+    /// <summary>The divisors of the truth's base step: from 1 s down to 0.1 ms where that is 1 s.</summary>
     internal static readonly int[] Parts = [1, 2, 5, 10, 20, 50, 100, 200, 500, 1000, 2000, 5000, 10000];
 
     // of a motion of hours only the longer steps
     private const long MostSteps = 20_000_000;
 
-    /// <summary>Takes the errors of all rules first, then the times of all.</summary>
+    /// <summary>Measures the errors of all integrators first, then the times of all.</summary>
     public static CostFindings Of(CostMotion motion, Effort effort, Action<double> report)
     {
         int[] parts = [.. PartsOf(motion.Truth).Take(effort.StepSizes)];
@@ -33,24 +33,24 @@ internal sealed record CostFindings(CostMotion Motion, IReadOnlyList<Trial> Tria
         return new CostFindings(motion, trials);
     }
 
-    /// <summary>Those of the parts that a motion is not too long for.</summary>
+    /// <summary>The divisors for which a motion is not too long.</summary>
     internal static IEnumerable<int> PartsOf(Truth truth) => Parts.Where(parts => truth.Duration / truth.BaseStep * parts <= MostSteps);
 
-    /// <summary>The trials of a rule, from the longest step down.</summary>
+    /// <summary>The trials of an integrator, from the longest step down.</summary>
     public IEnumerable<Trial> Of(Rule rule) => Trials.Where(trial => trial.Rule == rule);
 
-    /// <summary>The trial of a rule whose step is closest to a fiftieth of a second, as in a game.</summary>
+    /// <summary>The trial of an integrator whose step is closest to a fiftieth of a second, as in a game.</summary>
     public Trial InGame(Rule rule) => Of(rule).MinBy(trial => Math.Abs(Math.Log(trial.Step * 50)))!;
 
-    /// <summary>What a step of a rule costs, in steps of the lab's rule taken in the same turns.</summary>
+    /// <summary>The cost of a step of an integrator, in steps of LabEuler timed alternately.</summary>
     public double TimesLab(Rule rule) =>
         InGame(rule).NanosecondsPerStep / InGame(Rules.LabEuler).NanosecondsPerStep;
 
-    /// <summary>The cheapest trial of a rule below an error, or null.</summary>
+    /// <summary>The cheapest trial of an integrator below an error, or null.</summary>
     public Trial? Cheapest(Rule rule, double error) =>
         Of(rule).Where(trial => trial.Error < error).MinBy(trial => trial.Cost);
 
-    /// <summary>The cheapest trial of all below an error, or null; of those that cost the same within the clock's doubt, the first.</summary>
+    /// <summary>The cheapest trial of all below an error, or null; of costs that cannot be separated, the first.</summary>
     public Trial? Cheapest(double error)
     {
         Trial[] below = [.. Trials.Where(trial => trial.Error < error)];
@@ -58,15 +58,15 @@ internal sealed record CostFindings(CostMotion Motion, IReadOnlyList<Trial> Tria
     }
 }
 
-/// <summary>How thoroughly is measured.</summary>
-/// <param name="StepSizes">How many of the step sizes are tried.</param>
-/// <param name="SecondsPerTurn">How long a trial runs before the next has its turn, s.</param>
-/// <param name="Turns">How many turns there are, after one that does not count.</param>
+/// <summary>The effort of a measurement.</summary>
+/// <param name="StepSizes">The number of step lengths.</param>
+/// <param name="SecondsPerTurn">The duration of one run of a trial, s.</param>
+/// <param name="Turns">The number of rounds, after one that does not count.</param>
 internal sealed record Effort(int StepSizes, double SecondsPerTurn, int Turns)
 {
-    /// <summary>For a page of results.</summary>
+    /// <summary>For a published page.</summary>
     public static readonly Effort Whole = new(CostFindings.Parts.Length, 0.003, 15);
 
-    /// <summary>For a first look.</summary>
+    /// <summary>For a first impression.</summary>
     public static readonly Effort Quick = new(11, 0.002, 5);
 }

@@ -2,22 +2,22 @@ using System.Diagnostics;
 
 namespace RigidBodyDynamics.Lab;
 
-/// <summary>Every rule of the catalogue on one motion, as thoroughly as a reader waits for it: from long steps to shorter ones, until a time is over.</summary>
+/// <summary>Every integrator of the catalogue on one motion, within a time that a reader waits: from long steps to shorter ones.</summary>
 internal static class CostInTime
 {
-    /// <summary>The longest step in which every rule is tried, however long it takes: that of a game, s.</summary>
+    /// <summary>The longest step with which every integrator is tried, however long it takes: that of a game, s.</summary>
     internal const double Game = 0.02;
 
-    // what the errors may take of the time, and one of the runs that find them
+    // the part of the time for all errors, and for one run
     private const double ForErrors = 0.6, ForOneRun = 0.08;
 
-    // so close to what can be had a shorter step only rounds more often
+    // this close to the smallest error possible, a shorter step only adds roundings
     private const double NearFloor = 10, LastBits = 1e-10;
 
-    /// <summary>Takes the errors first, then the times, in turns; both end in time, but for what a game's step takes.</summary>
+    /// <summary>Measures the errors first, then the times, alternately; both end in time, except for the step of a game.</summary>
     /// <param name="motion">The motion.</param>
-    /// <param name="seconds">How long it may take, s.</param>
-    /// <param name="report">Told the fraction that is done.</param>
+    /// <param name="seconds">The time allowed, s.</param>
+    /// <param name="report">Receives the finished fraction.</param>
     public static CostFindings Of(CostMotion motion, double seconds, Action<double> report)
     {
         Stopwatch clock = Stopwatch.StartNew();
@@ -32,7 +32,7 @@ internal static class CostInTime
         Stopwatch all = Stopwatch.StartNew(), one = new();
         Truth truth = motion.Truth;
         double floor = Math.Min(LastBits, NearFloor * Math.Max(truth.Floor, truth.Uncertainty));
-        // how long the last run of a rule took, for those that go on
+        // the duration of the last run of each integrator that continues
         Dictionary<Rule, double> took = Rules.All.ToDictionary(rule => rule, _ => 0.0);
         List<Trial> trials = [];
         int before = 1;

@@ -1,12 +1,12 @@
 namespace RigidBodyDynamics.Lab;
 
 /// <summary>A scene whose true motion is known.</summary>
-/// <param name="Scene">As <see cref="StepFree"/> makes it.</param>
+/// <param name="Scene">Converted by <see cref="StepFree"/>.</param>
 /// <param name="Truth">Its motion.</param>
 /// <param name="IsSolved">True if the motion was computed elsewhere, to 20 digits; false if by our own integrators.</param>
 internal sealed record CostMotion(SceneDescription Scene, Truth Truth, bool IsSolved)
 {
-    /// <summary>Where the true motion comes from, in words.</summary>
+    /// <summary>The source of the true motion, in words.</summary>
     public string Origin => IsSolved
         ? "true motion: solved to 20 digits"
         : FormattableString.Invariant($"true motion: our own, in ever shorter steps until it stood still; uncertain by {Truth.Uncertainty:0.0e+0}");

@@ -5,16 +5,16 @@ using ScottPlot.TickGenerators;
 
 namespace RigidBodyDynamics.Lab;
 
-/// <summary>Error against time, both logarithmic, a line an integrator: down and left is better.</summary>
+/// <summary>Error against time, both logarithmic, one line for each integrator: lower left is better.</summary>
 internal static class CostPictures
 {
     /// <summary>Height, pixels: errors span sixteen powers of ten.</summary>
     public const int Height = 720;
 
-    // an error of nothing has no logarithm
+    // an error of zero has no logarithm
     private const double Smallest = 1e-17, Grey = 0.35;
 
-    // after Okabe and Ito: told apart by those who see fewer colours too, and by their markers without any
+    // after Okabe and Ito: distinguishable by colour-blind readers too, and by their markers without colour
     private static readonly Color[] Colors =
         [.. new[] { "#e69f00", "#1a1a1a", "#56b4e9", "#999999", "#cc79a7", "#009e73", "#7a5195", "#0072b2", "#d55e00", "#b00020" }.Select(Color.FromHex)];
 
@@ -67,7 +67,7 @@ internal static class CostPictures
         floor.LegendText = "attainable in double";
     }
 
-    /// <summary>Most of them lie on a heap, so a label may stand apart from its point, at the end of a line.</summary>
+    /// <summary>Most points are close together, so a label may be apart from its point, connected by a line.</summary>
     private static void AddOthers(Plot plot)
     {
         Color grey = ScottPlot.Colors.Black.WithAlpha(1 - Grey);

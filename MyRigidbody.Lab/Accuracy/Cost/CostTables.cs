@@ -3,17 +3,17 @@ using RigidBodyDynamics.Lab.Output;
 
 namespace RigidBodyDynamics.Lab;
 
-/// <summary>Accuracy against time as a person reads it on a terminal.</summary>
+/// <summary>Accuracy against time as a table for the terminal.</summary>
 internal static class CostTables
 {
-    /// <summary>What the columns mean.</summary>
+    /// <summary>The meaning of the columns.</summary>
     public const string Legend =
         "at 1/50: error (larger of rad and m) in steps of 1/50 s. ns: time for a step of one body. × lab: the same in steps of LabEuler, "
         + "which leaves out I⁻¹ τ where nothing turns the body. "
         + "to 1e-3 ...: the least that an error below it costs, in µs per simulated second and body. "
         + "A rule's own drag and limits count as error, and so does a step that misses the beginning of an effect.";
 
-    /// <summary>A row an integrator.</summary>
+    /// <summary>One row for each integrator.</summary>
     public static void Print(CostFindings found)
     {
         string[] bounds = [.. CostFindings.Bounds.Select(bound => "to " + Exponent(bound))];
@@ -31,7 +31,7 @@ internal static class CostTables
         Terminal.Write(table);
     }
 
-    /// <summary>What to take for each error, in a sentence; errors for which it is the same stand together.</summary>
+    /// <summary>The advice for each error, in a sentence; errors with the same advice are named together.</summary>
     public static string InWords(CostFindings found)
     {
         IEnumerable<string> parts = CostFindings.Bounds.GroupBy(found.Cheapest).Select(same =>
@@ -54,10 +54,10 @@ internal static class CostTables
         : value is >= 99_999.5 or < 0.001 ? value.ToString("0.0e+0", CultureInfo.InvariantCulture)
         : value.ToString(value >= 100 ? "0" : value >= 10 ? "0.0" : value >= 1 ? "0.00" : "0.000", CultureInfo.InvariantCulture);
 
-    /// <summary>A step with the digits that it has.</summary>
+    /// <summary>A step length with the digits that it has.</summary>
     public static string Step(double step) => step.ToString("G4", CultureInfo.InvariantCulture);
 
-    /// <summary>A step with all of its digits: it is to be typed.</summary>
+    /// <summary>A step length with all of its digits, to be typed.</summary>
     public static string ExactStep(double step) => step.ToString("R", CultureInfo.InvariantCulture);
 
     private static string Exponent(double bound) => bound.ToString("0e+0", CultureInfo.InvariantCulture);

@@ -2,14 +2,14 @@ using ScottPlot;
 
 namespace RigidBodyDynamics.Lab;
 
-/// <summary>Finds places for labels at which they lie neither on each other nor on lines and points.</summary>
-/// <param name="limits">Of the axes.</param>
+/// <summary>Finds places for labels at which they cover neither each other nor lines and points.</summary>
+/// <param name="limits">The limits of the axes.</param>
 internal sealed class LabelPlaces(AxisLimits limits)
 {
-    /// <summary>Of the labels, pixels.</summary>
+    /// <summary>The font size of the labels, pixels.</summary>
     public const float FontSize = 12;
 
-    // about what is left of the picture between the axes and the legend, pixels; then a letter, a line and a marker
+    // about the size of the picture between the axes and the legend, pixels; then a letter, a line and a marker
     private const double Width = 690, Height = 620, Letter = 7.2, Line = 16, Beside = 10, Marker = 6;
 
     private readonly List<PixelRect> _taken = [];
@@ -30,7 +30,7 @@ internal sealed class LabelPlaces(AxisLimits limits)
         }
     }
 
-    /// <summary>The middle of the left edge of a label for a point: beside it, or else as little above as is free.</summary>
+    /// <summary>The middle of the left edge of a label for a point: beside it, or else above it, as near as is free.</summary>
     public Coordinates Next(Coordinates point, string text)
     {
         double left = X(point.X) + Beside;

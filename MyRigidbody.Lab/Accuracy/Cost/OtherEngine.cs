@@ -2,7 +2,7 @@ using System.Globalization;
 
 namespace RigidBodyDynamics.Lab;
 
-/// <summary>What another engine makes of the tumbling body, measured with that engine; where, its data file says.</summary>
+/// <summary>The result of another engine for the tumbling body, measured with that engine; its data file names the machine.</summary>
 /// <param name="Name">The engine.</param>
 /// <param name="AngleError">After 100 s in steps of 1/50 s, rad.</param>
 /// <param name="Cost">Time for a simulated second, s.</param>

@@ -8,7 +8,7 @@ internal static class SolvedMotion
     // the samples are rounded to double when they are read
     private const double Uncertainty = 1.2e-16, BaseStep = 1, Same = 1e-9;
 
-    /// <summary>Those that are measured, and up to which time, s.</summary>
+    /// <summary>The motions that are measured, and up to which time, s.</summary>
     public static readonly IReadOnlyList<(string Name, double Until)> All =
     [
         ("asym_moderate", 100),
@@ -33,7 +33,7 @@ internal static class SolvedMotion
         Quaterniond turn = initial.Required("quaternion_wxyz").Turn();
         body.Start = new BodyState(Vector3d.Zero, turn, Vector3d.Zero, Vector3d.Zero);
         body.AngularVelocityInBody = initial.Required("angular_velocity_body").Vector();
-        // the rule is measured, not the drag and the limit that Unity puts on top of a motion that has none
+        // without drag and limit, which Unity adds to a motion that has none: only the integrator is measured
         body.Unity = new UnitySettings { AngularDrag = 0, MaxAngularVelocity = double.PositiveInfinity, SleepThreshold = 0 };
         if (fields.Optional("torque") is Place torque)
         {
@@ -65,7 +65,7 @@ internal static class SolvedMotion
         Vector3d Vector(string name) => torque.Or(name, Vector3d.Zero, place => place.Vector());
     }
 
-    /// <summary>Those at whole multiples of the base step, so that steps of every length offered meet them.</summary>
+    /// <summary>The samples at whole multiples of the base step, which steps of every offered length reach.</summary>
     private static List<TruthSample> Samples(string name, double until)
     {
         string[] lines = File.ReadAllLines(Path.Combine(Folder, name + ".csv"));
@@ -76,7 +76,7 @@ internal static class SolvedMotion
         {
             double[] cells = [.. line.Split(',').Select(cell => double.Parse(cell, CultureInfo.InvariantCulture))];
             double time = Cell("t"), at = Math.Round(time / BaseStep);
-            // the floor is the largest so far: it shrinks again where neighbouring motions meet
+            // the largest so far: the floor falls again where neighbouring motions meet
             floor = Math.Max(floor, Cell("double_attainable_error"));
             if (at >= 1 && time <= until + Same && Math.Abs((at * BaseStep) - time) < Same)
             {

@@ -22,7 +22,7 @@ internal static class CheckJson
 
     public static string Of(string path, ScriptReport report)
     {
-        // as handed in: the file's own name or that of its folder
+        // the submitted name: the file's own name or that of its folder
         string? name = new[] { Path.GetFileName(path), Path.GetFileName(Path.GetDirectoryName(Path.GetFullPath(path))) }.FirstOrDefault(part => part != null && StudentName.Read(part).Count > 0);
         Student? student = name == null ? null : StudentName.Read(name)[0];
         return JsonSerializer.Serialize(

@@ -5,7 +5,7 @@ using RigidBodyDynamics.StudentScripts;
 
 namespace RigidBodyDynamics.Lab.Checking;
 
-/// <summary>The page of check: the five lamps, what is off, and the script moving beside the reference and Unity's body.</summary>
+/// <summary>The page of check: the five lamps, the errors found, and the script's motion beside the reference and Unity's body.</summary>
 internal static class CheckPage
 {
     public static Page Of(string path, ScriptReport report)
@@ -23,7 +23,7 @@ internal static class CheckPage
             ]);
     }
 
-    /// <summary>The lamps, and under them what was measured.</summary>
+    /// <summary>The lamps, and below them the measurements.</summary>
     internal sealed record Findings(ScriptReport Report) : Section
     {
         /// <inheritdoc/>

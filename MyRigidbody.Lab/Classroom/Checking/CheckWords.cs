@@ -3,7 +3,7 @@ using RigidBodyDynamics.Lab.Languages;
 
 namespace RigidBodyDynamics.Lab.Checking;
 
-/// <summary>What check says of its own; what is said of a finding is the finding's.</summary>
+/// <summary>The texts of check; those of a finding belong to the finding.</summary>
 internal static class CheckWords
 {
     public static readonly IReadOnlyDictionary<string, Word> All = new Dictionary<string, Word>
@@ -46,7 +46,7 @@ internal static class CheckWords
         return new Word($"{sign} {term.English}", $"{sign} {term.Chinese}");
     }
 
-    /// <summary>Where a finding is seen: line, frame, experiment.</summary>
+    /// <summary>The place of a finding: line, frame, experiment.</summary>
     public static Word Place(Finding finding)
     {
         List<Word> parts = [];
@@ -60,16 +60,16 @@ internal static class CheckWords
         return new Word(string.Join(", ", parts.Select(part => part.En)), string.Join("，", parts.Select(part => part.Zh)));
     }
 
-    /// <summary>What is said of a step has a value that was expected and one that was found; of code the sentence says all.</summary>
+    /// <summary>A finding about a step has an expected and a found value; a finding about code says all in its sentence.</summary>
     public static bool IsMeasured(Finding finding) => finding.Step <= Step.Damping;
 
-    /// <summary>How many of the added statements have a comment.</summary>
+    /// <summary>The number of added statements that have a comment.</summary>
     public static Word Comments(StudentScripts.CommentCoverage comments) =>
         comments.Statements == 0 ? All["comments.none"]
         : comments.Bare.Count == 0 ? All["comments"].With(comments.Commented, comments.Statements)
         : All["comments.bare"].With(comments.Commented, comments.Statements, string.Join(", ", comments.Bare.Distinct()));
 
-    /// <summary>What the file is called, and should be.</summary>
+    /// <summary>The file's name, and the name that it should have.</summary>
     public static Word FileName(string path) => Path.GetFileName(path) is var name && name == "MyRigidbody.cs"
         ? All["file.right"].With(name)
         : All["file.other"].With(name, "MyRigidbody.cs");

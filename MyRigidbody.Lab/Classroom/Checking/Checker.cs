@@ -3,14 +3,14 @@ using RigidBodyDynamics.StudentScripts;
 
 namespace RigidBodyDynamics.Lab.Checking;
 
-/// <summary>Checks scripts one after another with one warm process.</summary>
+/// <summary>Checks scripts one after another with one running process.</summary>
 internal sealed class Checker : IDisposable
 {
     private const int MostNeighbours = 30, LargestNeighbour = 100_000;
 
     private readonly ScriptRunner _runner = new();
 
-    /// <summary>Checks a script with the files beside it that it may name.</summary>
+    /// <summary>Checks a script, with the files beside it that it may use.</summary>
     public ScriptReport Check(string path)
     {
         ScriptFile script = new(Path.GetFileName(path), InputFile.Bytes(path).ToArray());
@@ -26,7 +26,7 @@ internal sealed class Checker : IDisposable
 
     public void Dispose() => _runner.Dispose();
 
-    // what cannot be read beside it (the lock of an editor, say, which is a link to nowhere) is left out
+    // unreadable files beside it (an editor's lock file, say, which is a dangling link) are left out
     private static IEnumerable<ScriptFile> Neighbours(string path)
     {
         try
@@ -45,7 +45,7 @@ internal sealed class Checker : IDisposable
         }
     }
 
-    // other scripts of the same name are other people's
+    // other scripts of the same name are those of other students
     private static ScriptFile? Read(FileInfo file)
     {
         try

@@ -4,7 +4,7 @@ using RigidBodyDynamics.StudentScripts;
 
 namespace RigidBodyDynamics.Lab.Checking;
 
-/// <summary>The five lamps in the terminal, and what is off.</summary>
+/// <summary>The five lamps in the terminal, and the errors found.</summary>
 internal static class Lamps
 {
     public static void Print(string path, ScriptReport report, bool isChinese)

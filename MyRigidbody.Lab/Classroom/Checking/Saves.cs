@@ -5,16 +5,16 @@ namespace RigidBodyDynamics.Lab.Checking;
 /// <summary>Waits for a file to be saved.</summary>
 internal static class Saves
 {
-    // an editor writes in several goes
+    // an editor may write a file in several parts
     private static readonly TimeSpan Quiet = TimeSpan.FromMilliseconds(150);
 
-    /// <summary>True after every time the file was saved with another content, without end.</summary>
+    /// <summary>True after every save that changed the content, without end.</summary>
     public static IEnumerable<bool> Of(string path)
     {
         string full = Path.GetFullPath(path);
         using BlockingCollection<bool> changes = [];
         using FileSystemWatcher watcher = new(Path.GetDirectoryName(full)!, Path.GetFileName(full));
-        // some editors write beside the file and rename
+        // some editors write another file and rename it
         watcher.Changed += (_, _) => changes.Add(true);
         watcher.Created += (_, _) => changes.Add(true);
         watcher.Renamed += (_, _) => changes.Add(true);
@@ -25,7 +25,7 @@ internal static class Saves
             changes.Take();
             while (changes.TryTake(out _, Quiet))
             {
-                // until it is quiet
+                // until no change comes for a while
             }
 
             byte[] now = Content(full);
@@ -37,7 +37,7 @@ internal static class Saves
         }
     }
 
-    // nothing while it is away or being written
+    // empty while the file is absent or being written
     private static byte[] Content(string path)
     {
         try

@@ -6,12 +6,12 @@ using Keys = RigidBodyDynamics.Judging.Keys;
 namespace RigidBodyDynamics.Lab.Checking;
 
 /// <summary>
-/// The script beside the reference and Unity's body, on the cube and on the box that shows what the cube hides; all three of a kind
-/// with the keys that the script was played with.
+/// The script beside the reference and Unity's body, on a cube and on a box, whose moments differ; all three of a kind with the
+/// same recorded keys.
 /// </summary>
 internal static class ScriptMotion
 {
-    // of the cube's minute as much as there is of the box
+    // as many frames of the cube's minute as there are of the box
     private const int MostFrames = 600;
 
     private const double KeyForce = 5;
@@ -35,7 +35,7 @@ internal static class ScriptMotion
         Vector3d edges = 2 * new Vector3d(vertices.Max(v => v.X), vertices.Max(v => v.Y), vertices.Max(v => v.Z));
         MassProperties points = PointMasses.Equal(mass, vertices), solid = Solids.Box(mass, edges);
         Orientation turn = run.Setting.Pose.Orientation;
-        // all start in one place, so that they stand side by side
+        // all three start with the same pose
         Quaterniond start = new Quaterniond(turn.W, turn.X, turn.Y, turn.Z).Normalized;
 
         BodyDescription reference = new BodyDescription(Name("reference").En, points) { Rule = Rules.LabEuler }.With(new DecayPerStep(0.98, 0.98));
@@ -79,6 +79,6 @@ internal static class ScriptMotion
         Finite(seen.Velocity is { } v ? new Vector3d(v.X, v.Y, v.Z) : Vector3d.Zero),
         Finite(seen.AngularVelocity is { } w ? new Vector3d(w.X, w.Y, w.Z) : Vector3d.Zero));
 
-    // what a wrong script has made of its numbers need not be one
+    // a wrong script may produce NaN or infinity
     private static Vector3d Finite(Vector3d v) => double.IsFinite(v.X + v.Y + v.Z) ? v : Vector3d.Zero;
 }

@@ -5,7 +5,7 @@ using RigidBodyDynamics.Lab.Output;
 
 namespace RigidBodyDynamics.Lab.Grading;
 
-/// <summary>The pages and tables of a class. Their places are tried before anything is judged; they are written whole, or none of them.</summary>
+/// <summary>The pages and tables of a class. Whether they can be written is tested before anything is judged; either all or none are written.</summary>
 internal sealed class ClassFiles : IDisposable
 {
     /// <summary>The folder with the pages of the students.</summary>
@@ -23,7 +23,7 @@ internal sealed class ClassFiles : IDisposable
     private readonly string _folder;
 
     /// <param name="output">The folder.</param>
-    /// <param name="inputs">Files that were read, and are not written over.</param>
+    /// <param name="inputs">Files that were read, and must not be overwritten.</param>
     public ClassFiles(string output, IReadOnlyList<string> inputs)
     {
         _folder = Path.Combine(output, StudentsFolder);
@@ -41,7 +41,7 @@ internal sealed class ClassFiles : IDisposable
         }
     }
 
-    /// <summary>Writes all, and takes away the pages of those who are no longer in the class.</summary>
+    /// <summary>Writes all, and deletes the pages of students who are no longer in the class.</summary>
     public void Write(Class all)
     {
         foreach (Graded one in all.Submissions)

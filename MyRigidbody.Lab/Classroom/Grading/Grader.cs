@@ -6,19 +6,19 @@ using RigidBodyDynamics.Lab.Grading.Students;
 
 namespace RigidBodyDynamics.Lab.Grading;
 
-/// <summary>Grades a class: reads what was handed in, and has it judged on all cores.</summary>
+/// <summary>Grades a class: reads the submissions, and has them judged on all cores.</summary>
 /// <param name="bench">Judges of the scripts, and what they depend on.</param>
 internal sealed class Grader(IBench bench)
 {
-    /// <summary>The folder with what was judged already.</summary>
+    /// <summary>The folder of stored judgements.</summary>
     public const string KeptFolder = ".grade";
 
     /// <summary>Reads and judges.</summary>
-    /// <param name="paths">Files and folders as they were typed.</param>
-    /// <param name="output">The folder that is written to.</param>
-    /// <param name="roster">Who should have handed in; null where nobody said.</param>
+    /// <param name="paths">Files and folders as typed.</param>
+    /// <param name="output">The folder for the results.</param>
+    /// <param name="roster">The class list; null where there is none.</param>
     /// <param name="marks">Points and decisions.</param>
-    /// <param name="report">Is told which part is done.</param>
+    /// <param name="report">Receives the name of the present part.</param>
     public Class Judge(IReadOnlyList<string> paths, string output, Roster? roster, MarksFile marks, Action<double> report)
     {
         HandedIn handedIn = HandedIn.Read(paths, output);
@@ -54,7 +54,7 @@ internal sealed class Grader(IBench bench)
             }
             catch (Exception exception)
             {
-                // what ends one ends the run; the first says why
+                // an exception ends the run; the first one is reported
                 Interlocked.CompareExchange(ref failed, exception, null);
             }
         }))];

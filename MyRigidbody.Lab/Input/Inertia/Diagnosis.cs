@@ -1,17 +1,17 @@
 namespace RigidBodyDynamics.Lab.Inertia;
 
-/// <summary>What is wrong with a body's mass and inertia, and which usual mistake it is.</summary>
+/// <summary>Finds errors in a body's mass and inertia, and the common mistake that explains them.</summary>
 internal static class Diagnosis
 {
-    // rounding explains no more than this part of the largest moment: a number of three digits
+    // rounding explains at most this part of the largest moment: a number of three digits
     private const double MostRounded = 1e-3;
 
-    // what is no farther than this from the geometry, evenly filled, is taken for it
+    // a tensor within this part of the homogeneous geometry counts as that of the geometry
     private const double Alike = 0.5;
 
     private static readonly double[] Slips = [10, 100, 1000, 0.1, 0.01, 0.001];
 
-    /// <summary>All that is wrong, the surest first.</summary>
+    /// <summary>All errors, the most certain first.</summary>
     public static IReadOnlyList<Finding> Of(DescribedBody body)
     {
         if (body.Mass is not double mass || body.IsComputed)
@@ -63,7 +63,7 @@ internal static class Diagnosis
             : new Finding(moments[0] <= 0 ? "not-positive" : "triangle", Severity.Wrong, $"{what}; {nearest}");
     }
 
-    // the usual mistake whose undoing makes a body of it, and one like its geometry where that is known
+    // the common mistake whose correction gives a possible body, and one like its geometry where that is known
     private static (string Code, string Cause)? Cause(DescribedBody body, double mass)
     {
         SymmetricMatrix3 tensor = body.Tensor;
@@ -91,7 +91,7 @@ internal static class Diagnosis
             : null;
     }
 
-    /// <summary>One number times or by 10, 100, 1000; of those that make a body the one most like the geometry, or else the roundest.</summary>
+    /// <summary>One number times or by 10, 100, 1000; of the corrections that give a possible body the one most like the geometry, or else the roundest.</summary>
     private static (string Name, double Factor, SymmetricMatrix3 Possible)? Slip(DescribedBody body, SymmetricMatrix3? filled)
     {
         SymmetricMatrix3 t = body.Tensor;
@@ -113,7 +113,7 @@ internal static class Diagnosis
 
     private static SymmetricMatrix3 InBodyAxes(DescribedBody body, SymmetricMatrix3 tensor) => (body with { Tensor = tensor }).InBodyAxes;
 
-    /// <summary>Where the file says nothing of what the body looks like.</summary>
+    /// <summary>For a body without geometry in the file.</summary>
     private static IEnumerable<Finding> Alone(DescribedBody body, double mass)
     {
         if (Placeholder(body.Tensor) is string placeholder)
@@ -141,7 +141,7 @@ internal static class Diagnosis
         }
     }
 
-    /// <summary>What generators put where nobody said anything: three equal moments, a power of ten.</summary>
+    /// <summary>The default of generators: three equal moments, a power of ten.</summary>
     public static string? Placeholder(SymmetricMatrix3 t)
     {
         double power = t.XX > 0 ? Math.Pow(10, Math.Round(Math.Log10(t.XX))) : 0;

@@ -1,12 +1,12 @@
 namespace RigidBodyDynamics.Lab.Inertia;
 
 /// <summary>
-/// A possible body beside what its file says it looks like, evenly filled. No link is quite that, so only what no even or uneven filling
-/// explains is doubted, or what is a usual mistake to a few parts in a hundred.
+/// Compares a possible body with its homogeneous geometry. No real link equals it, so only a difference is reported that no
+/// distribution of mass explains, or that a common mistake explains to a few per cent.
 /// </summary>
 internal static class GeometryDiagnosis
 {
-    // kg/m³: no solid is heavier than osmium
+    // kg/m³: no solid is denser than osmium
     private const double Heaviest = 23_000, Lightest = 0.1;
 
     private static readonly (double Factor, string Unit)[] Units =
@@ -15,7 +15,7 @@ internal static class GeometryDiagnosis
         (1e-3, "in t m²"), (1e-6, "in t mm², or a geometry in millimetres, whose scale of 0.001 is missing"),
     ];
 
-    /// <summary>What is doubtful.</summary>
+    /// <summary>The doubtful numbers.</summary>
     public static IEnumerable<Finding> Of(DescribedBody body, double mass, Geometry geometry, MassProperties even)
     {
         double volume = geometry.Whole().Mass, density = mass / volume;
@@ -23,11 +23,11 @@ internal static class GeometryDiagnosis
         Finding? center = Center(body.Center, geometry), tensor = Tensor(body, mass, even, half, center != null);
         if (density < Lightest && tensor?.Code == "units")
         {
-            // the geometry is what is off, and that has been said
+            // the error is in the geometry, and has been reported
         }
         else if (density > Heaviest || density < Lightest)
         {
-            // so is what it was compared with
+            // the geometry is in the same wrong units
             tensor = tensor?.Code == "units" ? null : tensor;
             yield return new Finding("mass", Severity.Doubtful, FormattableString.Invariant(
                 $"{mass:G4} kg in {volume:G3} m³ of geometry are {density:G3} kg/m³, {(density > Heaviest ? "heavier than any metal: grams for kilograms, or a geometry in other units?" : "lighter than air: tonnes for kilograms, or a geometry in millimetres?")}"));
@@ -64,7 +64,7 @@ internal static class GeometryDiagnosis
         SymmetricMatrix3 given = body.InBodyAxes, filled = even.Inertia;
         double ratio = Tensors.Spread(given) / Tensors.Spread(filled), apart = Tensors.Apart(given, filled);
         string expected = "; evenly filled it would be " + Tensors.Text(filled, 4);
-        // however it is filled: no mass is farther from the middle than the corners of the box
+        // for any distribution of mass: no mass is farther from the middle than the corners of the box
         double most = mass * half.LengthSquared;
         if (apart < 0.3)
         {
@@ -115,7 +115,7 @@ internal static class GeometryDiagnosis
 
     private static Finding? Mirrored(SymmetricMatrix3 given, SymmetricMatrix3 filled)
     {
-        // products large enough to matter, and off by no more than three in ten after the turn
+        // products large enough to matter, and within three tenths after the rotation
         SymmetricMatrix3 products = filled with { XX = 0, YY = 0, ZZ = 0 }, own = given with { XX = 0, YY = 0, ZZ = 0 };
         bool matter = Tensors.Apart(filled with { XY = 0, XZ = 0, YZ = 0 }, filled) > 0.05;
         return matter && Tensors.Apart(own, -1 * products) < 0.3

@@ -5,16 +5,16 @@ using RigidBodyDynamics.Lab.Meshes;
 namespace RigidBodyDynamics.Lab.Inertia;
 
 /// <summary>The bodies of a file: a scene, a mesh or a robot description.</summary>
-/// <param name="Path">The file, as the user called it.</param>
+/// <param name="Path">The file, as typed.</param>
 /// <param name="Kind">"scene", "STL", "OBJ", "URDF" or "MJCF".</param>
 /// <param name="Bodies">Possible or not.</param>
-/// <param name="Notes">What concerns all of them.</param>
+/// <param name="Notes">Notes about the whole file.</param>
 internal sealed record InertiaFile(string Path, string Kind, IReadOnlyList<DescribedBody> Bodies, IReadOnlyList<string> Notes)
 {
-    // no unit stands in a mesh; what is this large is in millimetres, more likely than not
+    // a mesh has no unit; a part this large is probably in millimetres
     private const double LargePart = 5;
 
-    /// <summary>Reads a file; all that can be wrong with it as a file is an <see cref="InputException"/>.</summary>
+    /// <summary>Reads a file; any error in the file is an <see cref="InputException"/>.</summary>
     public static InertiaFile Read(string path, Filling? filling)
     {
         string extension = System.IO.Path.GetExtension(path).ToLowerInvariant();
@@ -85,12 +85,12 @@ internal sealed record InertiaFile(string Path, string Kind, IReadOnlyList<Descr
     }
 }
 
-/// <summary>What a mesh is filled with.</summary>
-/// <param name="Mass">kg; null if the density says it.</param>
+/// <summary>The material of a mesh.</summary>
+/// <param name="Mass">kg; null if the density gives it.</param>
 /// <param name="Density">kg/m³.</param>
-/// <param name="Scale">Times every length of the file.</param>
+/// <param name="Scale">The factor for every length of the file.</param>
 internal sealed record Filling(double? Mass, double Density, double Scale)
 {
-    /// <summary>As MuJoCo has it.</summary>
+    /// <summary>The default density of MuJoCo.</summary>
     public const double Water = 1000;
 }

@@ -4,12 +4,12 @@ using RigidBodyDynamics.Lab.Output;
 
 namespace RigidBodyDynamics.Lab.Inertia;
 
-/// <summary>The bodies of a file as a table with what is wrong below it, and as JSON.</summary>
+/// <summary>The bodies of a file as a table with the errors below it, and as JSON.</summary>
 internal sealed class InertiaReport
 {
     private static readonly JsonSerializerOptions Indented = new() { WriteIndented = true, Encoder = System.Text.Encodings.Web.JavaScriptEncoder.UnsafeRelaxedJsonEscaping };
 
-    // nobody reads more of them, and to lay out a table of 50,000 rows takes half a minute; --json has all
+    // a longer table is not read, and laying out 50,000 rows takes half a minute; --json has all
     private const int MostShown = 500;
 
     private readonly InertiaFile _file;
@@ -21,7 +21,7 @@ internal sealed class InertiaReport
         _bodies = [.. file.Bodies.Select(body => (body, Diagnosis.Of(body)))];
     }
 
-    /// <summary>How many bodies have something that is wrong or doubtful.</summary>
+    /// <summary>The number of bodies with a wrong or doubtful number.</summary>
     public int Faulty => _bodies.Count(body => body.Findings.Any(finding => finding.Severity > Severity.Note));
 
     /// <summary>For people.</summary>
@@ -113,7 +113,7 @@ internal sealed class InertiaReport
         return json;
     }
 
-    // JSON has no word for what is beyond the range of numbers
+    // JSON has no infinity and no NaN
     private static JsonNode? Number(double number) => double.IsFinite(number) ? number : null;
 
     private static JsonArray List(IReadOnlyList<string> texts) => new([.. texts.Select(text => (JsonNode)text)]);

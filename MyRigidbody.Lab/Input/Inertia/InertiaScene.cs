@@ -4,7 +4,7 @@ using System.Text.Json.Nodes;
 
 namespace RigidBodyDynamics.Lab.Inertia;
 
-/// <summary>A scene of the bodies of a file, at rest, each in its own frame; what no body is like is left out.</summary>
+/// <summary>A scene of the bodies of a file, at rest, each in its own frame; impossible bodies are left out.</summary>
 internal static class InertiaScene
 {
     private static readonly JsonSerializerOptions Indented = new() { WriteIndented = true, Encoder = JavaScriptEncoder.UnsafeRelaxedJsonEscaping };
@@ -48,7 +48,7 @@ internal static class InertiaScene
             : throw new FellShortException($"{file.Path}: no body in it is one that a scene could have");
     }
 
-    /// <summary>The mass properties, with the nearest possible tensor where only the last digit was missing; null if no body is like that.</summary>
+    /// <summary>The mass properties, with the nearest possible tensor where the difference is one of the last digit; null if no body can have them.</summary>
     private static MassProperties? Made(DescribedBody body)
     {
         if (body.Mass is not double mass)

@@ -1,6 +1,6 @@
 namespace RigidBodyDynamics.Lab.Inertia;
 
-/// <summary>The bodies of a scene, those too whose numbers are impossible and that no other command would read.</summary>
+/// <summary>The bodies of a scene, including those with impossible numbers, which no other command reads.</summary>
 internal static class SceneBodies
 {
     private static readonly string[] Elements = ["xx", "yy", "zz", "xy", "xz", "yz"];

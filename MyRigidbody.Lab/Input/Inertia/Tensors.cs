@@ -2,10 +2,10 @@ using System.Globalization;
 
 namespace RigidBodyDynamics.Lab.Inertia;
 
-/// <summary>What tells a tensor of a body from six numbers.</summary>
+/// <summary>Properties that distinguish the tensor of a body from any six numbers.</summary>
 internal static class Tensors
 {
-    // as the library has it: roundings of sums over points
+    // as in the library: for roundings of sums over points
     private const double Tolerance = 1e-9;
 
     /// <summary>The three moments, the smallest first.</summary>
@@ -17,19 +17,19 @@ internal static class Tensors
         return sorted;
     }
 
-    /// <summary>True for a tensor that some body has: moments above zero, none larger than the sum of the others.</summary>
+    /// <summary>True for the tensor of a possible body: moments above zero, none larger than the sum of the others.</summary>
     public static bool IsPossible(SymmetricMatrix3 tensor)
     {
         double[] moments = Moments(tensor);
         return moments[0] > 0 && Excess(moments) <= Tolerance * moments[2];
     }
 
-    /// <summary>By how much the largest moment exceeds the sum of the others, kg m².</summary>
+    /// <summary>The largest moment minus the sum of the others, kg m².</summary>
     public static double Excess(double[] moments) => moments[2] - moments[1] - moments[0];
 
     /// <summary>
-    /// The tensor of a body that is nearest: same axes, moments moved as little as can be (in the sum of squares) until the largest is the sum
-    /// of the others; those of a rod where even that leaves one below zero.
+    /// The nearest tensor of a possible body: same axes, moments changed least (in the sum of squares) until the largest is the sum
+    /// of the others; those of a rod where even then one is below zero.
     /// </summary>
     public static SymmetricMatrix3 Nearest(SymmetricMatrix3 tensor)
     {
@@ -51,19 +51,19 @@ internal static class Tensors
         return new SymmetricMatrix3 { XX = m[0], YY = m[1], ZZ = m[2] }.RotatedBy(Matrix3.Of(frame));
     }
 
-    /// <summary>The tensor with all products turned in sign.</summary>
+    /// <summary>The tensor with the signs of all products reversed.</summary>
     public static SymmetricMatrix3 Turned(SymmetricMatrix3 t) => new() { XX = t.XX, YY = t.YY, ZZ = t.ZZ, XY = -t.XY, XZ = -t.XZ, YZ = -t.YZ };
 
     /// <summary>Half the trace: the sum of m r² about the centre.</summary>
     public static double Spread(SymmetricMatrix3 t) => 0.5 * (t.XX + t.YY + t.ZZ);
 
-    /// <summary>How far two tensors are apart, as a part of the second.</summary>
+    /// <summary>The difference of two tensors, as a part of the second.</summary>
     public static double Apart(SymmetricMatrix3 a, SymmetricMatrix3 b) => Size(a - b) / Size(b);
 
-    /// <summary>True if no product is there.</summary>
+    /// <summary>True if all products are zero.</summary>
     public static bool IsDiagonal(SymmetricMatrix3 t) => t.XY == 0 && t.XZ == 0 && t.YZ == 0;
 
-    /// <summary>The six numbers by their names in URDF; what is a rounding beside the others is zero.</summary>
+    /// <summary>The six numbers by their names in URDF; rounding errors are written as zero.</summary>
     public static string Text(SymmetricMatrix3 t, int digits = 12)
     {
         string Shown(string name, double number) =>

@@ -3,8 +3,8 @@ using System.Diagnostics.CodeAnalysis;
 namespace RigidBodyDynamics.Lab.Meshes;
 
 /// <summary>
-/// Puts triangles together. Corners of the same three numbers, to the last bit, are one vertex: files write a corner anew for every
-/// triangle, and write it alike.
+/// Builds a mesh. Corners with the same three numbers, to the last bit, become one vertex: files repeat a corner for every
+/// triangle with the same digits.
 /// </summary>
 internal sealed class MeshBuilder(string path)
 {
@@ -13,10 +13,10 @@ internal sealed class MeshBuilder(string path)
     /// <summary>Each position once.</summary>
     public List<Vector3d> Vertices { get; } = [];
 
-    /// <summary>Three numbers of vertices a triangle.</summary>
+    /// <summary>Three vertex numbers a triangle.</summary>
     public List<int> Triangles { get; } = [];
 
-    /// <summary>How many triangles had two equal corners.</summary>
+    /// <summary>The number of triangles with two equal corners.</summary>
     public int Collapsed { get; private set; }
 
     /// <summary>The number of the vertex at a position.</summary>
@@ -27,7 +27,7 @@ internal sealed class MeshBuilder(string path)
             throw Wrong(place, "a corner must have three finite numbers, found " + position);
         }
 
-        // minus zero is zero
+        // turns minus zero into zero
         position += Vector3d.Zero;
         if (_known.TryGetValue(position, out int number))
         {
@@ -39,7 +39,7 @@ internal sealed class MeshBuilder(string path)
         return Vertices.Count - 1;
     }
 
-    /// <summary>A triangle; one with two equal corners is a line, whose two edges cancel, and is left out.</summary>
+    /// <summary>Adds a triangle; one with two equal corners has no area, and is left out.</summary>
     public void Add(int a, int b, int c)
     {
         if (a == b || b == c || c == a)
@@ -61,10 +61,10 @@ internal sealed class MeshBuilder(string path)
         }
     }
 
-    /// <summary>The error that says what is wrong at a place of the file.</summary>
+    /// <summary>The error at a place of the file.</summary>
     public InputException Wrong(string place, string what) => new(place.Length > 0 ? $"{path}: {place}: {what}" : $"{path}: {what}");
 
-    // with a seed of its own in every process: no file can be made whose corners all meet in one slot
+    // hashes are seeded in every process, so that no file can be made whose corners all collide
     private sealed class ByBits : IEqualityComparer<Vector3d>
     {
         public bool Equals(Vector3d a, Vector3d b) => a == b;

@@ -4,22 +4,22 @@ namespace RigidBodyDynamics.Lab.Meshes;
 
 /// <summary>The triangles of a file in STL or OBJ.</summary>
 /// <remarks>
-/// The readers are our own: no package that restores reads these formats. They read the positions of corners and nothing else, into
-/// memory of a few times the file, and refuse what they do not understand.
+/// The readers are our own, because no package that restores reads these formats. They read only positions of corners, into memory
+/// of a few times the file, and refuse what they do not understand.
 /// </remarks>
-/// <param name="Path">The file, as it was called.</param>
+/// <param name="Path">The file, as typed.</param>
 /// <param name="Vertices">Positions, each once; lengths have no unit in these formats.</param>
-/// <param name="Triangles">Three numbers of vertices a triangle.</param>
-/// <param name="Collapsed">How many triangles of the file have two equal corners: they have no area, and are left out.</param>
+/// <param name="Triangles">Three vertex numbers a triangle.</param>
+/// <param name="Collapsed">The number of triangles with two equal corners: they have no area, and are left out.</param>
 internal sealed record MeshFile(string Path, Vector3d[] Vertices, int[] Triangles, int Collapsed)
 {
-    /// <summary>More are refused before they are read; 5 million take about 0.7 GB.</summary>
+    /// <summary>The largest number of triangles, tested before they are read; 5 million take about 0.7 GB.</summary>
     public const int MostTriangles = 5_000_000;
 
-    /// <summary>True for a name that ends like those of files that can be read.</summary>
+    /// <summary>True for a name with the extension of a readable format.</summary>
     public static bool HasKnownName(string path) => IsStl(path) || IsObj(path);
 
-    /// <summary>Reads a file; all that can be wrong with it is an <see cref="InputException"/>.</summary>
+    /// <summary>Reads a file; any error in it is an <see cref="InputException"/>.</summary>
     public static MeshFile Read(string path)
     {
         if (!HasKnownName(path))
@@ -27,7 +27,7 @@ internal sealed record MeshFile(string Path, Vector3d[] Vertices, int[] Triangle
             throw new InputException($"{path}: must be a mesh in STL or OBJ (.stl, .obj), whose surface is closed");
         }
 
-        // a scene may name it, and a pipe has no end
+        // a scene may name it, and a pipe may not end
         if (File.Exists(path) && !RealPath.IsPlainFile(RealPath.Of(path)))
         {
             throw new InputException($"{path}: is a pipe or a device, not a file");
@@ -49,7 +49,7 @@ internal sealed record MeshFile(string Path, Vector3d[] Vertices, int[] Triangle
             : throw new InputException($"{path}: has no triangle");
     }
 
-    /// <summary>The same with every length times a factor; a mirrored one stays right side out.</summary>
+    /// <summary>The same with every length times a factor; a mirrored mesh keeps its outside outside.</summary>
     /// <param name="factors">One for each axis, none zero.</param>
     public MeshFile Scaled(Vector3d factors)
     {
@@ -72,7 +72,7 @@ internal sealed record MeshFile(string Path, Vector3d[] Vertices, int[] Triangle
     /// <summary>The solid inside, of a material.</summary>
     public MassProperties OfDensity(double density) => Enclosed(() => Solids.MeshOfDensity(density, Vertices, Triangles));
 
-    // only the surface can be what is wrong: where it stands is the file
+    // only the surface can be wrong here, so the error names the file
     private MassProperties Enclosed(Func<MassProperties> solid)
     {
         try

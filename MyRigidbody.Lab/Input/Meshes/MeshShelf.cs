@@ -1,6 +1,6 @@
 namespace RigidBodyDynamics.Lab.Meshes;
 
-/// <summary>The meshes that a file names, each read once, however often it is named.</summary>
+/// <summary>The meshes of a file, each read once, however often it is named.</summary>
 internal sealed class MeshShelf
 {
     private readonly Dictionary<string, MeshFile> _read = [];
@@ -9,8 +9,8 @@ internal sealed class MeshShelf
     /// <summary>The files that were read.</summary>
     public IReadOnlyCollection<string> Files => _read.Keys;
 
-    /// <summary>Reads a mesh, or has read it.</summary>
-    /// <exception cref="InputException">It cannot be read, or all of them together are too large.</exception>
+    /// <summary>The mesh of a file, read at the first call.</summary>
+    /// <exception cref="InputException">It cannot be read, or all meshes together are too large.</exception>
     public MeshFile Read(string path)
     {
         if (_read.TryGetValue(path, out MeshFile? known))

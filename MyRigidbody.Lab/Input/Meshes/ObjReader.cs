@@ -5,14 +5,14 @@ namespace RigidBodyDynamics.Lab.Meshes;
 
 /// <summary>
 /// Reads the positions (v) and faces (f) of OBJ (Wavefront, Advanced Visualizer, appendix B, 1995). All groups and objects are one surface; a
-/// face of more than three corners is cut into a fan. Textures, normals, materials and lines do not matter here; free-form surfaces are refused.
+/// face of more than three corners is split into a fan. Textures, normals, materials and lines are ignored; free-form surfaces are refused.
 /// </summary>
 internal static class ObjReader
 {
     /// <summary>Reads a file.</summary>
     public static void Read(ReadOnlySpan<byte> file, MeshBuilder mesh)
     {
-        // numbers of welded vertices, in the order in which the file has them
+        // numbers of the merged vertices, in the order of the file
         List<int> vertices = [];
         Words words = new(file);
         while (words.Next())

@@ -4,14 +4,14 @@ using System.Globalization;
 namespace RigidBodyDynamics.Lab.Meshes;
 
 /// <summary>
-/// Reads STL, in numbers or in words (3D Systems, Stereolithography Interface Specification, 1988). Normals are not read: the order of
-/// the corners says the same.
+/// Reads STL, binary or ASCII (3D Systems, Stereolithography Interface Specification, 1988). Normals are ignored: the order of
+/// the corners gives them.
 /// </summary>
 internal static class StlReader
 {
     private const int Header = 80, Start = Header + 4, BytesOfTriangle = 50, BytesOfVector = 12;
 
-    /// <summary>Reads a file. Some in numbers begin with "solid" as those in words do, so the length decides.</summary>
+    /// <summary>Reads a file. Some binary files begin with "solid", as ASCII ones do, so the length decides.</summary>
     public static void Read(ReadOnlySpan<byte> file, MeshBuilder mesh)
     {
         long count = file.Length >= Start ? BinaryPrimitives.ReadUInt32LittleEndian(file[Header..]) : 0;

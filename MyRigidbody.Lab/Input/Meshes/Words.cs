@@ -4,7 +4,7 @@ using System.Text;
 
 namespace RigidBodyDynamics.Lab.Meshes;
 
-/// <summary>The words of a text, one after another, with the line in which they stand.</summary>
+/// <summary>The words of a text, one after another, with their lines.</summary>
 internal ref struct Words
 {
     private const int MostShown = 40;
@@ -20,7 +20,7 @@ internal ref struct Words
     /// <summary>The word.</summary>
     public ReadOnlySpan<byte> Word { get; private set; }
 
-    /// <summary>Where it stands.</summary>
+    /// <summary>Its line.</summary>
     public readonly string Place => string.Create(CultureInfo.InvariantCulture, $"line {_line}");
 
     /// <summary>The word as it is shown in an error.</summary>
@@ -31,7 +31,7 @@ internal ref struct Words
     /// <summary>Goes to the next word of the file; false at its end.</summary>
     public bool Next() => Next(inLine: false);
 
-    /// <summary>Goes to the next word of this line; a backslash at its end goes on with the next one.</summary>
+    /// <summary>Goes to the next word of this line; a backslash at the end continues it on the next line.</summary>
     public bool NextInLine() => Next(inLine: true);
 
     /// <summary>Goes to the end of this line.</summary>

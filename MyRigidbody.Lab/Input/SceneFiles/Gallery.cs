@@ -1,6 +1,6 @@
 namespace RigidBodyDynamics.Lab;
 
-/// <summary>The scenes that travel with the program.</summary>
+/// <summary>The scenes that are installed with the program.</summary>
 internal static class Gallery
 {
     /// <summary>The lab's own scene: a cube, the arrow keys and "r".</summary>

@@ -5,7 +5,7 @@ namespace RigidBodyDynamics.Lab;
 /// <summary>The recorded motion of a real Rigidbody, or of an object that a student's script moves: a row for its start and one after every step.</summary>
 /// <param name="Path">The CSV file.</param>
 /// <param name="Rows">Its rows; empty if there is no file.</param>
-/// <param name="IsOfScript">Whether a script was recorded: its velocities are differences of its poses.</param>
+/// <param name="IsOfScript">True if a script was recorded: its velocities are differences of its poses.</param>
 internal sealed record Recording(string Path, IReadOnlyList<float[]> Rows, bool IsOfScript = false)
 {
     /// <summary>The schema of a recording.</summary>
@@ -21,7 +21,7 @@ internal sealed record Recording(string Path, IReadOnlyList<float[]> Rows, bool 
 
     /// <summary>Reads the rows beside a JSON file.</summary>
     /// <param name="json">The JSON file.</param>
-    /// <param name="steps">How many steps it has.</param>
+    /// <param name="steps">The number of steps.</param>
     public static Recording Beside(string json, long steps)
     {
         string path = System.IO.Path.ChangeExtension(json, ".csv");

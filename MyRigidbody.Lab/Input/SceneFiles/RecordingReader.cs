@@ -3,7 +3,7 @@ namespace RigidBodyDynamics.Lab;
 /// <summary>Reads a recording: one body that moves by UnityRigidbody, or by LabEuler where a script was recorded, with a force and a torque for every step.</summary>
 internal static class RecordingReader
 {
-    // what Unity calls the library's arguments
+    // Unity's names for the library's arguments
     private static readonly Dictionary<string, string> Called = new()
     {
         ["1 / mass"] = "mass",
@@ -44,7 +44,7 @@ internal static class RecordingReader
         return new SceneFile(root.File, scene, new Dictionary<string, ManyBodies>(), new Dictionary<string, MassProperties>(), Recording.Beside(root.File, count));
     }
 
-    /// <summary>What a student's script was given, for the lab's own rule: starts at rest, a step a frame.</summary>
+    /// <summary>The input of a student's script, for LabEuler: starts at rest, one step a frame.</summary>
     public static SceneFile ReadScript(Place root)
     {
         Fields fields = root.Fields();
@@ -99,7 +99,7 @@ internal static class RecordingReader
         return body;
     }
 
-    /// <summary>The moments of a flat body, one the sum of the others, may miss that by their roundings to single precision: the nearest that round to the same.</summary>
+    /// <summary>The nearest possible moments that round to the same: the largest of a flat body is the sum of the others except for roundings to single precision.</summary>
     private static Vector3d OfSingle(Vector3d moments)
     {
         const double Rounding = 1.0 / (1 << 24);
@@ -127,7 +127,7 @@ internal static class RecordingReader
         return new Vector3d(n[0], n[1], n[2]);
     }
 
-    /// <summary>Here, unlike in scenes, x, y, z, w.</summary>
+    /// <summary>Here, unlike in scenes, the order is x, y, z, w.</summary>
     private static Quaterniond Turn(Fields fields, string name)
     {
         Place place = fields.Required(name);

@@ -1,15 +1,15 @@
 namespace RigidBodyDynamics.Lab;
 
 /// <summary>
-/// Starts of many bodies that differ: each number evenly between so much less and so much more than that of the first,
-/// each orientation turned about any axis by at most an angle. The same seed gives the same starts on every runtime.
+/// Different starts of many bodies: each number uniformly within an interval about that of the first, each orientation rotated
+/// about any axis by at most an angle. The same seed gives the same starts on every runtime.
 /// </summary>
 internal sealed class Spread
 {
     private Vector3d _position, _velocity, _angularVelocity;
     private double _orientation;
 
-    /// <summary>Of the position, m, each component either way.</summary>
+    /// <summary>Of the position, m, each component in both directions.</summary>
     public Vector3d Position { get => _position; set => _position = Guard.Finite(value, nameof(Position)); }
 
     /// <summary>Of the velocity, m/s.</summary>
@@ -21,19 +21,19 @@ internal sealed class Spread
     /// <summary>Of the orientation, the largest angle, rad.</summary>
     public double Orientation { get => _orientation; set => _orientation = Guard.NotNegative(value, nameof(Orientation)); }
 
-    /// <summary>Any number; another gives other starts.</summary>
+    /// <summary>Any number; another one gives other starts.</summary>
     public long Seed { get; set; }
 
     /// <summary>The start of one of the bodies.</summary>
     /// <param name="start">That of the body in the middle.</param>
-    /// <param name="index">Which, from 0.</param>
+    /// <param name="index">Its number, from 0.</param>
     public BodyState Of(BodyState start, long index)
     {
         Guard.Finite(start.Position, nameof(start));
         Guard.Finite(start.Velocity, nameof(start));
         Guard.Finite(start.AngularVelocity, nameof(start));
         Guard.Turn(start.Orientation, nameof(start));
-        // a stream of its own for each body, so that any of them can be had without those before
+        // a random sequence of its own for each body, so that none depends on those before
         ulong state = Mixed(unchecked((ulong)Seed * 0x9E3779B97F4A7C15UL + (ulong)index));
         start.Position += Vector3d.Scale(_position, Next(ref state));
         start.Velocity += Vector3d.Scale(_velocity, Next(ref state));

@@ -3,12 +3,12 @@ using System.Globalization;
 namespace RigidBodyDynamics.Lab;
 
 /// <summary>
-/// How far numbers in a file may be from those that they were rounded from. Programs write numbers of a set with as many decimals each (%.6f) or as
-/// many digits (%g), and some leave out zeros at the end: 0.25 beside 0.333333 is 0.250000.
+/// The rounding error of numbers in a file. Programs write the numbers of a set with equally many decimals (%.6f) or digits (%g),
+/// and some omit zeros at the end: 0.25 beside 0.333333 is 0.250000.
 /// </summary>
 internal static class TypedDigits
 {
-    // a set of fewer digits was not computed and rounded: somebody chose it
+    // a set with fewer digits was typed and not computed
     private const int Fewest = 3;
 
     /// <summary>Half a unit of the last decimal of each number; zeros for a set of few digits.</summary>
@@ -20,7 +20,7 @@ internal static class TypedDigits
         return [.. typed.Select(number => number.Last == int.MaxValue || digits < Fewest ? 0 : 0.5 * Math.Pow(10, number.LastOf(digits, last)))];
     }
 
-    /// <summary>How far the moments about the axes of a frame may be off, to first order.</summary>
+    /// <summary>The error of the moments about the axes of a frame, to first order.</summary>
     /// <param name="halfUnits">Of a tensor's elements, in its axes.</param>
     /// <param name="frame">The frame in those axes.</param>
     public static Vector3d OfMoments(SymmetricMatrix3 halfUnits, Quaterniond frame)
@@ -34,7 +34,7 @@ internal static class TypedDigits
         }
     }
 
-    /// <summary>A number as written: how many digits it has from the first that is not zero, and the powers of ten of the first and the last.</summary>
+    /// <summary>A number as written: the count of its digits from the first that is not zero, and the powers of ten of the first and the last.</summary>
     private readonly record struct Typed(int Digits, int First, int Last)
     {
         public static Typed Of(string text)
@@ -45,11 +45,11 @@ internal static class TypedDigits
             int point = mantissa.IndexOf('.', StringComparison.Ordinal), decimals = point < 0 ? 0 : mantissa.Length - point - 1;
             string digits = mantissa.Replace(".", string.Empty, StringComparison.Ordinal).TrimStart('0');
             int last = exponent - decimals;
-            // of a zero nobody knows where its digits would begin, and of nothing there is none
+            // a zero does not show where its digits would begin, and an empty text has none
             return digits.Length > 0 ? new Typed(digits.Length, last + digits.Length - 1, last) : new Typed(0, int.MinValue / 2, text.Length > 0 ? last : int.MaxValue);
         }
 
-        /// <summary>The power of ten of the last digit, zeros that were left out at the end counted, in a set of so many digits and decimals.</summary>
+        /// <summary>The power of ten of the last digit, with omitted zeros at the end, in a set with that many digits and decimals.</summary>
         public int LastOf(int digits, int last) => Math.Min(Last, Math.Max(last, First - digits + 1));
     }
 }

@@ -5,15 +5,15 @@ using SkiaSharp;
 namespace RigidBodyDynamics.Lab.Animation;
 
 /// <summary>
-/// A PNG that moves (APNG): every browser and most slides show it. The pictures are compressed as any PNG; what is
-/// written here are the chunks around them, as in the third edition of the PNG specification, chapter 11.3.6.
+/// An animated PNG (APNG): every browser and most slide programs show it. The pictures are compressed as any PNG; this class
+/// writes the chunks around them, as in the third edition of the PNG specification, chapter 11.3.6.
 /// </summary>
 internal sealed class AnimatedPng
 {
     private const int ChunkHead = 8, ChunkEnd = 4;
     private static readonly byte[] Signature = [0x89, (byte)'P', (byte)'N', (byte)'G', 13, 10, 26, 10];
 
-    // in half the time of the usual way, for a twentieth more bytes
+    // half the time of the default, for a twentieth more bytes
     private static readonly SKPngEncoderOptions Quick = new(SKPngEncoderFilterFlags.Up, 5);
 
     private readonly MemoryStream _pictures = new();
@@ -23,7 +23,7 @@ internal sealed class AnimatedPng
     private int _count;
     private uint _sequence;
 
-    /// <summary>Pictures of one size, each of which stays for some hundredths of a second.</summary>
+    /// <summary>Pictures of one size, each shown for some hundredths of a second.</summary>
     public AnimatedPng(int width, int height, int hundredths)
     {
         _width = width;
@@ -60,14 +60,14 @@ internal sealed class AnimatedPng
         file.Write(Signature);
         Chunk(file, "IHDR"u8, _header);
         byte[] animation = new byte[8];
-        BinaryPrimitives.WriteInt32BigEndian(animation, _count); // and after it how often it plays: 0, for ever
+        BinaryPrimitives.WriteInt32BigEndian(animation, _count); // followed by the number of repetitions: 0, without end
         Chunk(file, "acTL"u8, animation);
         _pictures.WriteTo(file);
         Chunk(file, "IEND"u8, []);
         return file.ToArray();
     }
 
-    // which part of the picture is replaced (all of it), and for how long it stays
+    // the part of the picture that is replaced (all of it), and its duration
     private void Control()
     {
         byte[] control = new byte[26];
@@ -79,7 +79,7 @@ internal sealed class AnimatedPng
         Chunk(_pictures, "fcTL"u8, control);
     }
 
-    // the first picture's data are those of a PNG that does not move, for programs that know no other
+    // the first picture is stored as in a PNG without animation, for programs that know no other
     private void Data(ReadOnlySpan<byte> content)
     {
         if (_count == 0)

@@ -5,22 +5,22 @@ using ScottPlot.Plottables;
 
 namespace RigidBodyDynamics.Lab.Animation;
 
-/// <summary>What the page shows of a motion, as pictures for a report on paper and for slides.</summary>
+/// <summary>The page's plots and replay of a motion as pictures, for a report on paper and for slides.</summary>
 internal static class MotionPictures
 {
-    // more would hide each other
+    // more would cover each other
     private const int MostBodies = 8;
 
-    // as on the page, and told apart by their lines where there is no colour
+    // as on the page; different line styles for print without colour
     private static readonly Color[] Colors =
         [.. new[] { "#1f5fa8", "#c8550a", "#2c7a3f", "#7a3fa0", "#b3261e", "#0b7285", "#1b1d1f", "#8a6d00" }.Select(Color.FromHex)];
 
     private static readonly LinePattern[] Lines = [LinePattern.Solid, LinePattern.Dashed, LinePattern.Dotted, LinePattern.DenselyDashed];
 
-    /// <summary>What every motion has: energy and abs(L) over time, each as PNG and SVG, and the replay.</summary>
-    /// <param name="name">Of the scene.</param>
+    /// <summary>The pictures of every motion: energy and abs(L) over time, each as PNG and SVG, and the replay.</summary>
+    /// <param name="name">The name of the scene.</param>
     /// <param name="motion">The motion.</param>
-    /// <param name="files">Where they go.</param>
+    /// <param name="files">Where they are written.</param>
     public static void Write(string name, Motion motion, Files files)
     {
         foreach (string format in new[] { ".png", ".svg" })

@@ -5,7 +5,7 @@ using SkiaSharp;
 
 namespace RigidBodyDynamics.Lab.Animation;
 
-/// <summary>The replay of a run as an animated picture for slides: the ways of the bodies, and each of them from near by.</summary>
+/// <summary>The replay of a run as an animated picture for slides: the paths of the bodies, and a close-up of each.</summary>
 internal sealed class ReplayPicture
 {
     private const int Width = 760, Height = 400, Margin = 16, Top = 44, MapWidth = 400, MostFrames = 150, MostBodies = 4;
@@ -27,7 +27,7 @@ internal sealed class ReplayPicture
         _tracks = [.. motion.Tracks.Take(MostBodies)];
         IEnumerable<Vector3d> all = _tracks.SelectMany(track => track.States).Select(state => state.Position);
         double width = all.Max(p => p.X) - all.Min(p => p.X), height = all.Max(p => p.Y) - all.Min(p => p.Y);
-        // at least two metres of ground, so that what stands still is not blown up
+        // at least two metres of ground, so that a body at rest is not magnified
         double span = Math.Max(2, Math.Max(width / (MapWidth - 4 * Margin), height / (Height - Top - 4 * Margin)) * (MapWidth - 4 * Margin));
         _pixelsPerMetre = (MapWidth - 4 * Margin) / span;
         _left = 0.5 * (all.Max(p => p.X) + all.Min(p => p.X));
@@ -36,7 +36,7 @@ internal sealed class ReplayPicture
         _mostMomentum = Most(track => track.States.Max(state => Conserved.AngularMomentum(state, track.Mass).Length));
     }
 
-    /// <summary>Writes the animated picture of a run, in its own time where that is not too long.</summary>
+    /// <summary>Writes the animated picture of a run, in real time where that is not too long.</summary>
     public static void Write(string title, Motion motion, string path)
     {
         ReplayPicture picture = new(title, motion);
@@ -84,7 +84,7 @@ internal sealed class ReplayPicture
         }
     }
 
-    // the ways so far in x and y, with a metre to measure by
+    // the paths so far in x and y, with a scale of one metre
     private void Map(SKCanvas canvas, int moment)
     {
         using SKPaint border = new() { Color = Faint, Style = SKPaintStyle.Stroke, IsAntialias = true };

@@ -2,10 +2,10 @@ using SkiaSharp;
 
 namespace RigidBodyDynamics.Lab.Animation;
 
-/// <summary>A body seen from near by: a box in its orientation with its arrows, in a frame of the picture.</summary>
+/// <summary>A close-up of a body: a box in its orientation with its arrows, in a part of the picture.</summary>
 internal static class Stage
 {
-    // where it is looked at from: from the front, a little from the right and above
+    // the camera: from the front, a little from the right and above
     private const double Turn = 0.5, Tilt = 0.35, Distance = 4.5;
 
     // the corners of each face, and the outward normal's axis and side
@@ -23,11 +23,11 @@ internal static class Stage
     public static SKColor Momentum { get; } = SKColor.Parse("#7a3fa0");
 
     /// <summary>Draws a body.</summary>
-    /// <param name="canvas">Where to.</param>
+    /// <param name="canvas">The canvas.</param>
     /// <param name="frame">The place in the picture.</param>
-    /// <param name="edges">Of the box, m.</param>
+    /// <param name="edges">The edges of the box, m.</param>
     /// <param name="axes">Takes the box's axes to world axes.</param>
-    /// <param name="color">Of its sides.</param>
+    /// <param name="color">The colour of its sides.</param>
     /// <param name="spin">ω as a part of its greatest length in the run.</param>
     /// <param name="momentum">L as a part of its greatest length in the run.</param>
     public static void Draw(SKCanvas canvas, SKRect frame, Vector3d edges, Quaterniond axes, SKColor color, Vector3d spin, Vector3d momentum)
@@ -39,7 +39,7 @@ internal static class Stage
         {
             Vector3d normal = axes.Rotate(side * Unit(axis));
             double half = 0.5 * (axis == 0 ? edges.X : axis == 1 ? edges.Y : edges.Z) / size;
-            // what looks away is hidden by the rest: a box is convex
+            // a face that points away from the camera is hidden, because a box is convex
             if (Vector3d.Dot(normal, eye - half * normal) <= 0)
                 continue;
 
@@ -69,7 +69,7 @@ internal static class Stage
         canvas.DrawCircle(end, 4, tip);
     }
 
-    // Unity's axes are left-handed: x to the right, y up, z away from the eye
+    // Unity's axes are left-handed: x to the right, y up, z away from the camera
     private static SKPoint Project(SKRect frame, Vector3d p)
     {
         double x = Math.Cos(Turn) * p.X - Math.Sin(Turn) * p.Z, z = Math.Sin(Turn) * p.X + Math.Cos(Turn) * p.Z;

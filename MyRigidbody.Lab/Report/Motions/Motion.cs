@@ -2,7 +2,7 @@ using RigidBodyDynamics.Lab.Comparison;
 
 namespace RigidBodyDynamics.Lab.Report;
 
-/// <summary>What replay and plots show: bodies at moments, how far pairs of them are apart, and what acts when.</summary>
+/// <summary>The data of replay and plots: states of bodies at moments, differences of pairs, and the effects with their times.</summary>
 internal sealed class Motion
 {
     private const int MostHeld = 12;
@@ -14,10 +14,10 @@ internal sealed class Motion
         BodiesInScene = bodies;
     }
 
-    /// <summary>How the time of the run is divided.</summary>
+    /// <summary>The division of the run's time.</summary>
     public TimeSteps Steps { get; }
 
-    /// <summary>How many bodies there are, drawn or not.</summary>
+    /// <summary>The number of bodies, drawn or not.</summary>
     public int BodiesInScene { get; }
 
     /// <summary>The bodies that are drawn.</summary>
@@ -26,10 +26,10 @@ internal sealed class Motion
     /// <summary>The pairs among them.</summary>
     public List<Distances> Pairs { get; } = [];
 
-    /// <summary>The step after which each moment comes.</summary>
+    /// <summary>The number of steps before each moment.</summary>
     public List<long> At { get; } = [];
 
-    /// <summary>What acts on any of them for a part of the time.</summary>
+    /// <summary>The effects that act for a part of the time.</summary>
     public IReadOnlyList<Held> Held { get; set; } = [];
 
     /// <summary>The pairs of a comparison.</summary>
@@ -49,10 +49,10 @@ internal sealed class Motion
         return motion;
     }
 
-    /// <summary>Bodies that were followed elsewhere, at the start and after every step.</summary>
+    /// <summary>Bodies followed elsewhere, with their states at the start and after every step.</summary>
     /// <param name="steps">The steps.</param>
     /// <param name="tracks">The bodies.</param>
-    /// <param name="pairs">Which of them are compared.</param>
+    /// <param name="pairs">The compared pairs.</param>
     public static Motion Of(TimeSteps steps, IReadOnlyList<Track> tracks, IReadOnlyList<(int First, int Second)> pairs)
     {
         Motion motion = new(steps, tracks.Count);
@@ -66,7 +66,7 @@ internal sealed class Motion
         return motion;
     }
 
-    /// <summary>A recorded body and ours beside it; the moments are after every step.</summary>
+    /// <summary>A recorded body and the simulated one; the moments are those after every step.</summary>
     public static Motion Of(SceneFile file, string recorded, IReadOnlyList<Compared> course, bool knowsSpin)
     {
         SceneDescription scene = file.Scene;
@@ -124,7 +124,7 @@ internal sealed class Motion
     private static MassProperties Shape(SceneFile file, BodyDescription body) =>
         file.SolidBoxes.GetValueOrDefault(body.Name, body.Mass);
 
-    /// <summary>Once each, keys first; what acts all the time is in the plan. An impulse takes no time, and is seen for a part of the run.</summary>
+    /// <summary>Each once, keys first; an effect without a time is in the plan. An impulse has no duration, and is shown for a part of the run.</summary>
     public static IReadOnlyList<Held> HeldBy(IEnumerable<BodyDescription> bodies, TimeSteps steps)
     {
         double end = steps.StartOf(steps.Count);

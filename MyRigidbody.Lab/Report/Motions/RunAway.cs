@@ -1,6 +1,6 @@
 namespace RigidBodyDynamics.Lab.Report;
 
-/// <summary>A rule that has lost its body: what follows is no motion, and no file holds it.</summary>
+/// <summary>The integration of a body has diverged: later states are meaningless, and no file contains them.</summary>
 internal static class RunAway
 {
     public static void MustBeFinite(Simulation simulation, string path)

@@ -5,8 +5,8 @@ using RigidBodyDynamics.Lab.Output;
 
 namespace RigidBodyDynamics.Lab.Report;
 
-/// <summary>The trajectory as CSV: a row a body and step, numbers that read back to the same bits.</summary>
-/// <remarks>Digits cost more than the motion, so rows are collected, and pieces of them put into words on all processors.</remarks>
+/// <summary>The trajectory as CSV: one row for each body and step, with numbers that read back to the same bits.</summary>
+/// <remarks>Formatting numbers costs more than the motion, so rows are collected and formatted on all processors.</remarks>
 internal sealed class TrajectoryCsv(Stream stream) : IDisposable
 {
     private const int RowsOfPiece = 64, Pieces = 16, LongestNumber = 32;
@@ -32,10 +32,10 @@ internal sealed class TrajectoryCsv(Stream stream) : IDisposable
         }
     }
 
-    /// <summary>The first line.</summary>
+    /// <summary>The header.</summary>
     public void WriteHeader() => stream.Write("body,step,t,px,py,pz,qw,qx,qy,qz,vx,vy,vz,wx,wy,wz,Lx,Ly,Lz,kineticEnergy,asleep\n"u8);
 
-    /// <summary>A row for every body, as it is now.</summary>
+    /// <summary>One row for every body, with its present state.</summary>
     public void WriteRows(Simulation simulation)
     {
         foreach (Body body in simulation.Bodies)
@@ -49,17 +49,17 @@ internal sealed class TrajectoryCsv(Stream stream) : IDisposable
         }
     }
 
-    /// <summary>Writes all rows there are so far.</summary>
+    /// <summary>Writes all rows collected so far.</summary>
     public void Flush()
     {
         WriteCollected();
         stream.Flush();
     }
 
-    /// <summary>Writes all rows there are so far.</summary>
+    /// <summary>Writes all rows collected so far.</summary>
     public void Dispose() => WriteCollected();
 
-    /// <summary>Those of many bodies, each with a number, are not worth being kept.</summary>
+    /// <summary>Cells of many numbered bodies are not stored.</summary>
     private byte[]? CellOf(Body body)
     {
         if (body.Tag != null)

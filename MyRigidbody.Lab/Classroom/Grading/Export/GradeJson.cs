@@ -7,7 +7,7 @@ using RigidBodyDynamics.Lab.Output;
 
 namespace RigidBodyDynamics.Lab.Grading.Export;
 
-/// <summary>All that was found out, for other programs: the format <c>rigid-body-grade/1</c>.</summary>
+/// <summary>All results, for other programs: the format <c>rigid-body-grade/1</c>.</summary>
 internal static class GradeJson
 {
     private static readonly JsonSerializerOptions Options = new()
@@ -15,7 +15,7 @@ internal static class GradeJson
         WriteIndented = true,
         NewLine = "\n",
         PropertyNamingPolicy = JsonNamingPolicy.CamelCase,
-        // letters of all languages stay; what HTML gives a meaning does not, for who puts this into a page
+        // letters of all languages as they are; characters special in HTML are escaped, because the text may be put into a page
         Encoder = JavaScriptEncoder.Create(System.Text.Unicode.UnicodeRanges.All),
         Converters = { new JsonStringEnumConverter(JsonNamingPolicy.CamelCase) },
     };

@@ -5,7 +5,7 @@ using RigidBodyDynamics.Lab.Grading.Marks;
 
 namespace RigidBodyDynamics.Lab.Grading.Export;
 
-/// <summary>The marks as rows: a student each, also of those who handed in nothing. A cell is a text or a number.</summary>
+/// <summary>The marks as rows: one for each student, including those without a submission. A cell is a text or a number.</summary>
 internal static class MarksTable
 {
     /// <summary>The headings.</summary>
@@ -26,7 +26,7 @@ internal static class MarksTable
         }),
     ];
 
-    /// <summary>As CSV with a byte order mark, by which spreadsheets know UTF-8.</summary>
+    /// <summary>As CSV with a byte order mark, by which spreadsheets recognise UTF-8.</summary>
     public static byte[] Csv(Class all)
     {
         StringBuilder text = new();

@@ -14,7 +14,7 @@ internal static class MarksWorkbook
 {
     private const int LongestCell = 2000;
 
-    // what a zip can say at least
+    // the earliest time that a zip can store
     private static readonly DateTimeOffset NoTime = new(1980, 1, 1, 0, 0, 0, TimeSpan.Zero);
 
     private static readonly string[] FindingHeadings =
@@ -66,7 +66,7 @@ internal static class MarksWorkbook
         one.File,
     });
 
-    /// <summary>The entries of a zip have times; here all have the same.</summary>
+    /// <summary>The entries of a zip have times; all are set to the same one.</summary>
     private static byte[] WithoutTimes(MemoryStream written)
     {
         MemoryStream bytes = new();

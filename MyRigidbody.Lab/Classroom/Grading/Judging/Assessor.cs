@@ -7,8 +7,8 @@ using RigidBodyDynamics.StudentScripts;
 namespace RigidBodyDynamics.Lab.Grading.Judging;
 
 /// <summary>
-/// Finds the script of a submission and has it judged; what has been judged before, in this run or an earlier one, is taken
-/// from what was kept.
+/// Finds the script of a submission and has it judged; a script that was judged before, in this run or an earlier one, gets its
+/// stored judgement.
 /// </summary>
 internal sealed class Assessor(IScriptJudge judge, Kept kept)
 {
@@ -23,7 +23,7 @@ internal sealed class Assessor(IScriptJudge judge, Kept kept)
             return Judgement.Nothing(Mark.Missing, Problems.NoScript());
 
         Script[] named = [.. scripts.Where(Grouping.IsMain)];
-        // where none is called so, whoever judges says what is missing of the likeliest
+        // where none has that name, the judge says what is missing in the likeliest
         Script[] mains = [.. (named.Length > 0 ? named : [scripts.FirstOrDefault(IsOfUnity) ?? scripts[0]]).DistinctBy(script => SourceText.Decode(script.Bytes).Text.ReplaceLineEndings("\n").Trim())];
         Judgement[] judged = [.. mains.Select(main => Judged([main, .. submission.Scripts.Except(mains).Where(script => !IsOfEditor(script))]))];
         return judged.Length == 1 ? judged[0] : Judgement.Between(judged);
@@ -40,12 +40,12 @@ internal sealed class Assessor(IScriptJudge judge, Kept kept)
         return judgement;
     }
 
-    // Unity does not compile them together with the others
+    // Unity compiles them separately from the others
     private static bool IsOfEditor(Script script) => script.Spot.Names.SkipLast(1).Contains("Editor");
 
     private static bool IsOfUnity(Script script) => SourceText.Decode(script.Bytes).Text.Contains("MonoBehaviour", StringComparison.Ordinal);
 
-    /// <summary>Of names and contents; where in the class a script lies does not matter.</summary>
+    /// <summary>A hash of names and contents; independent of the script's place in the class.</summary>
     private static string Key(IReadOnlyList<Script> scripts)
     {
         using IncrementalHash hash = IncrementalHash.CreateHash(HashAlgorithmName.SHA256);

@@ -1,12 +1,12 @@
 namespace RigidBodyDynamics.Lab.Grading.Judging;
 
-/// <summary>Where judges come from.</summary>
+/// <summary>Creates judges.</summary>
 internal interface IBench
 {
-    /// <summary>Changes whenever the same script could be judged differently: a name of a folder.</summary>
+    /// <summary>A folder name that changes whenever the same script could be judged differently.</summary>
     string Version { get; }
 
-    /// <summary>The text that all students were given.</summary>
+    /// <summary>The text that all students received.</summary>
     string Starter { get; }
 
     /// <summary>A judge for one thread.</summary>

@@ -5,8 +5,8 @@ using RigidBodyDynamics.Judging;
 namespace RigidBodyDynamics.Lab.Grading.Judging;
 
 /// <summary>
-/// Judgements by the content of their scripts, one file each, so that a run that was broken off goes on where it was and a
-/// second run judges only what is new. Another version of the judge or another starter has a folder of its own.
+/// Judgements stored by the content of their scripts, one file each, so that an interrupted run continues and a second run judges
+/// only new scripts. Another version of the judge or another starter has a folder of its own.
 /// </summary>
 internal sealed class Kept
 {
@@ -14,9 +14,9 @@ internal sealed class Kept
 
     private readonly string _folder;
 
-    /// <summary>Those in a folder.</summary>
+    /// <summary>The judgements stored in a folder.</summary>
     /// <param name="folder">The folder for all versions.</param>
-    /// <param name="version">Of whatever a judgement depends on beside the scripts.</param>
+    /// <param name="version">Of everything else on which a judgement depends.</param>
     public Kept(string folder, string version)
     {
         _folder = Path.Combine(folder, version);
@@ -30,7 +30,7 @@ internal sealed class Kept
         }
     }
 
-    /// <summary>What was kept; null where nothing was, or what was is no longer whole.</summary>
+    /// <summary>The stored judgement; null where there is none, or its file is damaged.</summary>
     public Judgement? Find(string key)
     {
         try
@@ -43,7 +43,7 @@ internal sealed class Kept
         }
     }
 
-    /// <summary>Keeps a judgement; whole or not at all, whenever the process ends.</summary>
+    /// <summary>Stores a judgement; completely or not at all, even if the process ends.</summary>
     public void Keep(string key, Judgement judgement)
     {
         string temporary = Path.Combine(_folder, $".{Guid.NewGuid():N}");

@@ -6,22 +6,22 @@ using RigidBodyDynamics.StudentScripts;
 namespace RigidBodyDynamics.Lab.Grading.Judging;
 
 /// <summary>Has scripts run by child processes, one for each judge.</summary>
-/// <param name="starter">The text that was handed out; null for the sheet's.</param>
+/// <param name="starter">The text that students received; null for the sheet's.</param>
 internal sealed class ScriptBench(string? starter) : IBench
 {
-    // of a hash, enough that no two are one
+    // digits of the hash, enough to be unique
     private const int VersionLength = 16;
 
     /// <inheritdoc/>
     public string Starter => starter ?? ScriptRunner.SheetStarter;
 
-    /// <summary>Of everything that has a say in a verdict: the program's own assemblies, and the starter.</summary>
+    /// <summary>A hash of everything that a verdict depends on: the program's own assemblies, and the starter.</summary>
     public string Version
     {
         get
         {
             using IncrementalHash hash = IncrementalHash.CreateHash(HashAlgorithmName.SHA256);
-            // a program in one file has them in itself
+            // a single-file program contains its assemblies
             string[] files = Directory.GetFiles(AppContext.BaseDirectory, "MyRigidbody.*.dll") is { Length: > 0 } assemblies ? assemblies : [Environment.ProcessPath!];
             foreach (string file in files.Order(StringComparer.Ordinal))
                 hash.AppendData(File.ReadAllBytes(file));

@@ -4,12 +4,12 @@ using Microsoft.CodeAnalysis.CSharp;
 namespace RigidBodyDynamics.Lab.Grading.Likeness;
 
 /// <summary>
-/// A script as runs of tokens in which all identifiers are one, so that other names, comments and another layout hide nothing,
-/// and other arithmetic is another text.
+/// A script as sequences of tokens in which all identifiers are equal, so that other names, comments or layout change nothing,
+/// and other arithmetic does.
 /// </summary>
 internal sealed class Fingerprint
 {
-    /// <summary>Tokens in a run.</summary>
+    /// <summary>The number of tokens in a sequence.</summary>
     public const int RunLength = 14;
 
     private readonly string[] _runs;
@@ -17,7 +17,7 @@ internal sealed class Fingerprint
 
     private Fingerprint(string[] runs, int[] lines) => (_runs, _lines) = (runs, lines);
 
-    /// <summary>The different runs of the script.</summary>
+    /// <summary>The different sequences of the script.</summary>
     public IReadOnlySet<string> Runs => _runs.ToHashSet();
 
     /// <summary>Of a text.</summary>
@@ -31,7 +31,7 @@ internal sealed class Fingerprint
             [.. tokens.Select(token => tree.GetLineSpan(token.Span).StartLinePosition.Line + 1)]);
     }
 
-    /// <summary>The number of tokens that lie in one of some runs.</summary>
+    /// <summary>The number of tokens that are in one of some sequences.</summary>
     public int Covered(Predicate<string> runs) => Marked(runs).Count(isIn => isIn);
 
     /// <summary>The lines of those tokens.</summary>
@@ -53,6 +53,6 @@ internal sealed class Fingerprint
         return marked;
     }
 
-    // those that an IDE adds say nothing
+    // an IDE adds using directives, so they are ignored
     private static bool InUsing(SyntaxToken token) => token.Parent?.AncestorsAndSelf().Any(node => node.IsKind(SyntaxKind.UsingDirective)) == true;
 }

@@ -1,30 +1,30 @@
 namespace RigidBodyDynamics.Lab.Grading.Likeness;
 
-/// <summary>Two scripts that have much in common which is neither the starter's nor the class's.</summary>
-/// <param name="First">Number of the one, in the order they were given.</param>
+/// <summary>Two scripts that share much which is neither the starter's nor common in the class.</summary>
+/// <param name="First">Number of the one, in the given order.</param>
 /// <param name="Second">Number of the other.</param>
-/// <param name="Share">Part of the shorter one's own tokens that the other has too, from 0 to 1.</param>
-/// <param name="FirstLines">Lines of the one that hold what both have.</param>
-/// <param name="SecondLines">Lines of the other that do.</param>
+/// <param name="Share">The part of the shorter one's own tokens that the other has, too, from 0 to 1.</param>
+/// <param name="FirstLines">Lines of the one with shared tokens.</param>
+/// <param name="SecondLines">Lines of the other with shared tokens.</param>
 internal sealed record Pair(int First, int Second, double Share, IReadOnlySet<int> FirstLines, IReadOnlySet<int> SecondLines);
 
-/// <summary>Finds scripts that are worth being looked at side by side. It measures what two texts share, and says nothing about why.</summary>
+/// <summary>Finds scripts to compare side by side. It measures what two texts share, and does not say why.</summary>
 internal static class LookAlikes
 {
     /// <summary>The share from which a pair is named.</summary>
     public const double Least = 0.6;
 
-    // what so many have written, everybody writes; in a small class two or three alike are not everybody
+    // a sequence in this share of the scripts is common; in a small class two or three equal scripts are not
     private const double CommonShare = 0.4;
     private const int CommonCount = 3;
 
-    // of fewer tokens of one's own nothing can be said
+    // with fewer own tokens no comparison is meaningful
     private const int FewestTokens = 60;
 
     /// <summary>The pairs, the most alike first.</summary>
     /// <param name="scripts">Texts of the class.</param>
-    /// <param name="owners">Whose each is; two of one student's are not compared.</param>
-    /// <param name="starter">The text that all were given.</param>
+    /// <param name="owners">The student of each; two scripts of one student are not compared.</param>
+    /// <param name="starter">The text that all received.</param>
     /// <param name="least">The share from which a pair is named.</param>
     public static IReadOnlyList<Pair> Of(IReadOnlyList<string> scripts, IReadOnlyList<string> owners, string starter, double least = Least)
     {
@@ -56,7 +56,7 @@ internal static class LookAlikes
         return [.. pairs.OrderByDescending(pair => pair.Share).ThenBy(pair => pair.First).ThenBy(pair => pair.Second)];
     }
 
-    /// <summary>Of pairs among several that are all alike, as few as join them: of four alike three pairs, and not six.</summary>
+    /// <summary>As few pairs as connect scripts that are all alike: for four scripts three pairs, and not six.</summary>
     public static IEnumerable<Pair> Joining(IEnumerable<Pair> pairs)
     {
         Dictionary<int, int> parents = [];

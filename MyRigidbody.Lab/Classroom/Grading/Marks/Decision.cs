@@ -4,15 +4,15 @@ using RigidBodyDynamics.Lab.Grading.Students;
 
 namespace RigidBodyDynamics.Lab.Grading.Marks;
 
-/// <summary>What an instructor has settled about one submission.</summary>
-/// <param name="File">Its file, as <c>grade.json</c> calls it.</param>
-/// <param name="Content">A fingerprint of the script that was looked at; null to hold for whatever is handed in there.</param>
-/// <param name="Steps">Parts of the verdict that are right, or are not.</param>
+/// <summary>An instructor's decision about one submission.</summary>
+/// <param name="File">Its file, by its name in <c>grade.json</c>.</param>
+/// <param name="Content">A hash of the script that was inspected; null for any script with this name.</param>
+/// <param name="Steps">Steps that are right, or are not.</param>
 /// <param name="Use">Which of several scripts counts; null where there is no choice.</param>
-/// <param name="Student">Whose it is; null where that is known.</param>
+/// <param name="Student">The student; null where that is known.</param>
 /// <param name="Counts">False for one of two submissions that does not count.</param>
-/// <param name="Points">The points, whatever the steps say; null to compute them.</param>
-/// <param name="Note">A word to the student, shown on the page.</param>
+/// <param name="Points">The points, independent of the steps; null to compute them.</param>
+/// <param name="Note">A note to the student, shown on the page.</param>
 internal sealed record Decision(
     string File,
     string? Content,
@@ -23,7 +23,7 @@ internal sealed record Decision(
     double? Points,
     string Note)
 {
-    /// <summary>The judgement with what was settled in it.</summary>
+    /// <summary>The judgement with the decision applied.</summary>
     public Judgement Settle(Judgement judgement)
     {
         if (Use != null && judgement.Candidates.FirstOrDefault(one => one.File == Use || one.File!.EndsWith("!" + Use, StringComparison.Ordinal) || one.File.EndsWith("/" + Use, StringComparison.Ordinal)) is Judgement chosen)

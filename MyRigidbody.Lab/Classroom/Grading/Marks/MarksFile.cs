@@ -3,20 +3,20 @@ using RigidBodyDynamics.Lab.Grading.Students;
 
 namespace RigidBodyDynamics.Lab.Grading.Marks;
 
-/// <summary>The instructor's file: points, deductions, and what was settled of doubtful cases.</summary>
-/// <param name="Scheme">How points are given.</param>
-/// <param name="Decisions">What was settled.</param>
+/// <summary>The instructor's file: points, deductions, and decisions about doubtful cases.</summary>
+/// <param name="Scheme">The points.</param>
+/// <param name="Decisions">The decisions.</param>
 internal sealed record MarksFile(Scheme Scheme, IReadOnlyList<Decision> Decisions)
 {
     /// <summary>The name of the format.</summary>
     public const string Schema = "rigid-body-marks/1";
 
-    /// <summary>What holds without a file.</summary>
+    /// <summary>The values without a file.</summary>
     public static MarksFile Default { get; } = new(Scheme.Default, []);
 
     private static readonly Step[] Settled = [.. Verdict.FiveSteps, Step.Given, Step.Code, Step.Package, Step.Name];
 
-    /// <summary>Reads it; whatever is wrong is one line with file and place.</summary>
+    /// <summary>Reads it; an error is one line with file and place.</summary>
     public static MarksFile Read(string path) => JsonFile.Read(path, root =>
     {
         Fields fields = root.Fields();
@@ -31,7 +31,7 @@ internal sealed record MarksFile(Scheme Scheme, IReadOnlyList<Decision> Decision
         return new MarksFile(scheme, decisions);
     });
 
-    /// <summary>The name of a part of a verdict, as JSON has it.</summary>
+    /// <summary>The name of a part of a verdict in JSON.</summary>
     public static string NameOf<T>(T part)
         where T : struct, Enum => char.ToLowerInvariant($"{part}"[0]) + $"{part}"[1..];
 

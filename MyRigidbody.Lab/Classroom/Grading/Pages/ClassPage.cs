@@ -7,7 +7,7 @@ using RigidBodyDynamics.Lab.Report;
 
 namespace RigidBodyDynamics.Lab.Grading.Pages;
 
-/// <summary>What the page of the class says: first what needs the instructor, then the table, the mistakes, the look-alikes, who is missing.</summary>
+/// <summary>The page of the class: first what the instructor has to decide, then the table, the mistakes, similar scripts, missing students.</summary>
 internal sealed class ClassPage(Class all)
 {
     private const int MostPairs = 12, LongestText = 300, LongestLine = 160, MostNames = 12, MostOpen = 5, MostMistakes = 8;
@@ -30,7 +30,7 @@ internal sealed class ClassPage(Class all)
 
     public int QuestionCount => Question.Of(all).Count;
 
-    /// <summary>The questions by their kinds; what is in doubt stands open, long lists of the rest are folded.</summary>
+    /// <summary>The questions by kind; doubtful cases are shown open, long lists of the others folded.</summary>
     public IReadOnlyList<QuestionsPart> Questions =>
         [.. Question.Of(all).GroupBy(question => question.Kind).Select(group => new QuestionsPart(group.Key, [.. group.Select(question => new QuestionPart(question))]))];
 
@@ -59,7 +59,7 @@ internal sealed class ClassPage(Class all)
         }
     }
 
-    /// <summary>The most frequent mistakes, and folded those of fewer.</summary>
+    /// <summary>The most frequent mistakes, and folded the rarer ones.</summary>
     public IReadOnlyList<MistakesPart> MistakeParts
     {
         get
@@ -102,7 +102,7 @@ internal sealed class ClassPage(Class all)
     {
         public string Title => StudentPage.Title(one);
 
-        // names of pages are letters, digits and - _ . only
+        // names of pages consist of letters, digits and - _ . only
         public string Page => "students/" + Uri.EscapeDataString(one.Page);
 
         public string File => Visible.Line(one.File, LongestText);

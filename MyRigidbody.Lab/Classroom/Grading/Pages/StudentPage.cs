@@ -7,10 +7,10 @@ using RigidBodyDynamics.Lab.Report;
 
 namespace RigidBodyDynamics.Lab.Grading.Pages;
 
-/// <summary>What the page of a student says, on one sheet of A4.</summary>
+/// <summary>The page of a student, on one sheet of A4.</summary>
 internal sealed class StudentPage
 {
-    // what fits on a sheet beside five steps
+    // what fits on the sheet beside the five steps
     private const int MostFindings = 7, MostLines = 24, LongestText = 110, LongestName = 60;
 
     private static readonly PageTemplate Template = new("student.liquid", GradeWords.All);
@@ -37,16 +37,16 @@ internal sealed class StudentPage
     /// <summary>The file that was judged.</summary>
     public string File => Visible.Line(_graded.File);
 
-    /// <summary>The verdict as a whole, and its colour.</summary>
+    /// <summary>The whole verdict, which also gives the colour.</summary>
     public string Outcome => MarksFile.NameOf(_graded.Judgement.Verdict.Outcome);
 
-    /// <summary>The five steps, and whatever else something was found about.</summary>
+    /// <summary>The five steps, and other parts with findings.</summary>
     public IReadOnlyList<Part> Parts { get; }
 
-    /// <summary>The number of findings that the page has no place for.</summary>
+    /// <summary>The number of findings that do not fit on the page.</summary>
     public int Left { get; }
 
-    /// <summary>The points of a submission without fault.</summary>
+    /// <summary>The points of a submission without errors.</summary>
     public string Full { get; }
 
     /// <summary>The points.</summary>
@@ -55,10 +55,10 @@ internal sealed class StudentPage
     /// <summary>True where the instructor has given them.</summary>
     public bool IsSet => _graded.Marked.IsSet;
 
-    /// <summary>True where something is for the instructor to decide.</summary>
+    /// <summary>True where the instructor has something to decide.</summary>
     public bool IsDoubtful => _graded.Judgement.Verdict.Findings.Any(finding => finding.IsDoubtful);
 
-    /// <summary>What the points are made of.</summary>
+    /// <summary>The parts of the points.</summary>
     public IReadOnlyList<(string Name, string Points)> Sum =>
     [
         ("steps", Number(_graded.Marked.Steps)),
@@ -66,15 +66,15 @@ internal sealed class StudentPage
             .Where(part => part.Item2 > 0).Select(part => (part.Item1, "−" + Number(part.Item2))),
     ];
 
-    /// <summary>How many added statements have a comment.</summary>
+    /// <summary>The number of added statements that have a comment.</summary>
     public Word Comments => _graded.Judgement.Statements == 0
         ? GradeWords.All["student.comments.none"]
         : GradeWords.All["student.comments"].With(_graded.Judgement.Commented, _graded.Judgement.Statements);
 
-    /// <summary>The lines that have none.</summary>
+    /// <summary>The lines without one.</summary>
     public string Uncommented => string.Join(", ", _graded.Judgement.Uncommented.Distinct().Take(MostLines)) + (_graded.Judgement.Uncommented.Distinct().Count() > MostLines ? ", …" : string.Empty);
 
-    /// <summary>A word of the instructor.</summary>
+    /// <summary>The instructor's note.</summary>
     public string Note => Visible.Line(_graded.Decision?.Note ?? string.Empty, 300);
 
     /// <summary>The page as HTML.</summary>
@@ -83,10 +83,10 @@ internal sealed class StudentPage
         ("style", PageTemplate.Resource("report.css") + PageTemplate.Resource("grade.css")),
         ("script", PageTemplate.Resource("page.js")));
 
-    /// <summary>True for what <see cref="Html"/> has written.</summary>
+    /// <summary>True for a page that <see cref="Html"/> has written.</summary>
     public static bool IsOne(string html) => html.Contains("<body class=\"student\">", StringComparison.Ordinal);
 
-    /// <summary>Who it is, or else what the file is called.</summary>
+    /// <summary>The student, or else the name of the file.</summary>
     public static string Title(Graded graded) =>
         Visible.Line(graded.Student is { } student ? $"{student.Id} {student.Name}".Trim() : graded.Submission.Spot.Name, LongestName);
 
@@ -103,7 +103,7 @@ internal sealed class StudentPage
         public string MarkName => MarksFile.NameOf(Mark);
     }
 
-    /// <summary>A finding on the page, with the line of the script that it is about.</summary>
+    /// <summary>A finding on the page, with its line of the script.</summary>
     internal sealed record FindingPart(Finding Finding, string[] Source)
     {
         public Word What => new(Visible.Line(Finding.English, 2 * LongestText), Visible.Line(Finding.Chinese, 2 * LongestText));

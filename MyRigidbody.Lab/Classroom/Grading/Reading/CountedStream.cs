@@ -1,13 +1,13 @@
 namespace RigidBodyDynamics.Lab.Grading.Reading;
 
-/// <summary>More was unpacked than may be.</summary>
+/// <summary>An archive unpacks to more than the limit.</summary>
 internal sealed class TooLargeException(long limit) : Exception
 {
-    /// <summary>What may be, bytes.</summary>
+    /// <summary>The limit, bytes.</summary>
     public long Limit { get; } = limit;
 }
 
-/// <summary>Counts what is really read, because what an archive says of its sizes may be untrue.</summary>
+/// <summary>Counts the bytes that are read, because the sizes stated in an archive may be false.</summary>
 internal sealed class CountedStream(Stream inner, long limit) : Stream
 {
     private long _count;
@@ -22,7 +22,7 @@ internal sealed class CountedStream(Stream inner, long limit) : Stream
 
     public override long Position { get => _count; set => throw new NotSupportedException(); }
 
-    /// <summary>All that is left, as bytes.</summary>
+    /// <summary>The rest of the stream as bytes.</summary>
     public static byte[] ReadAll(Stream stream, long limit)
     {
         using CountedStream counted = new(stream, limit);

@@ -1,6 +1,6 @@
 namespace RigidBodyDynamics.Lab.Grading.Reading;
 
-/// <summary>What a file is by its first bytes, whatever its name says.</summary>
+/// <summary>The kind of a file by its first bytes, independent of its name.</summary>
 internal enum FileKind
 {
     /// <summary>None of the following: a text, if the name says so.</summary>
@@ -22,21 +22,21 @@ internal enum FileKind
     SevenZip,
 }
 
-/// <summary>Which files are looked into, and as what.</summary>
+/// <summary>Which files are read, and how.</summary>
 internal static class FileKinds
 {
     private const int TarMagic = 257, TarBlock = 512;
 
     private static readonly string[] Archives = [".unitypackage", ".zip", ".rar", ".7z", ".tar", ".gz", ".tgz"];
 
-    /// <summary>True for a file that may hold a script: by its ending, or because it has none.</summary>
+    /// <summary>True for a file that may hold a script: by its extension, or because it has none.</summary>
     public static bool MayHoldScripts(string name) =>
         !name.StartsWith("._", StringComparison.Ordinal) && (IsScript(name) || IsArchive(name) || !name.Contains('.', StringComparison.Ordinal));
 
-    /// <summary>True for a name that ends as C# does.</summary>
+    /// <summary>True for the extension of C#.</summary>
     public static bool IsScript(string name) => name.EndsWith(".cs", StringComparison.OrdinalIgnoreCase);
 
-    /// <summary>True for a name that ends as an archive does, or did before a browser added to it.</summary>
+    /// <summary>True for the extension of an archive, including names to which a browser has added something.</summary>
     public static bool IsArchive(string name) =>
         Archives.Any(ending => name.EndsWith(ending, StringComparison.OrdinalIgnoreCase)) || name.Contains(".unitypackage", StringComparison.OrdinalIgnoreCase);
 
@@ -58,7 +58,7 @@ internal static class FileKinds
         return bytes.Length >= TarBlock && bytes[TarMagic..].StartsWith("ustar"u8) ? FileKind.Tar : FileKind.Other;
     }
 
-    /// <summary>The ending a file of a kind should have.</summary>
+    /// <summary>The extension for a kind of file.</summary>
     public static string Ending(FileKind kind) => kind switch
     {
         FileKind.Zip => ".zip",

@@ -6,14 +6,14 @@ using RigidBodyDynamics.StudentScripts;
 namespace RigidBodyDynamics.Lab.Grading.Reading;
 
 /// <summary>
-/// Puts together what belongs together: a package is a submission; loose scripts are one where they are in one folder that is
-/// named after a student, or in one folder of the class, or are files named after students.
+/// Groups files into submissions: a package is one; loose scripts are one where they are in one folder that is named after a
+/// student, or in one folder of the class, or are files named after students.
 /// </summary>
 internal static partial class Grouping
 {
     private const string MainFile = "MyRigidbody.cs";
 
-    /// <summary>The submissions, by their places.</summary>
+    /// <summary>The submissions, ordered by place.</summary>
     public static IReadOnlyList<Submission> Of(HandedIn handedIn, Roster? roster)
     {
         IEnumerable<Submission> packages = handedIn.Pieces.Where(piece => piece.IsPackage)
@@ -22,23 +22,23 @@ internal static partial class Grouping
         IEnumerable<Submission> loose = handedIn.Pieces.Where(piece => !piece.IsPackage)
             .GroupBy(piece => Home(piece, mains))
             .Select(pieces => Named(Spot(pieces.Key, pieces.First()), [.. pieces.SelectMany(piece => piece.Scripts)], null, [.. pieces.SelectMany(piece => piece.Notes).Distinct()], roster))
-            // other code that lies about, as long as something is there to grade
+            // other code is ignored, as long as there is something to grade
             .Where(submission => submission.Student != null || mains.Count == 0 || submission.Scripts.Any(IsMain));
         return [.. packages.Concat(loose).OrderBy(submission => submission.Spot.Shown, StringComparer.Ordinal)];
     }
 
-    /// <summary>True for a script called as the sheet asks, or that has the class it asks for.</summary>
+    /// <summary>True for a script with the name that the sheet asks for, or with the class.</summary>
     public static bool IsMain(Script script) =>
         script.Spot.Name.Equals(MainFile, StringComparison.OrdinalIgnoreCase) || MainClass().IsMatch(SourceText.Decode(script.Bytes).Text);
 
-    /// <summary>The names of the place that a loose script shares with its submission.</summary>
+    /// <summary>The folder names that loose scripts of one submission share.</summary>
     private static string Home(Piece piece, IReadOnlySet<Piece> mains)
     {
         IReadOnlyList<string> names = piece.Spot.Names;
         if (Named(names) is int count)
             return Key(names, count);
 
-        // the folder below the one that was given; unless it holds the scripts of several, then the folder of each, or each by itself
+        // the folder below the given one; if it holds scripts of several students, then the folder of each, or each script alone
         int folder = names.Count - 1, top = Math.Min(2, folder);
         return MainsIn(Key(names, top)) <= 1 ? Key(names, top)
             : MainsIn(Key(names, folder)) <= 1 || !mains.Contains(piece) ? Key(names, folder)
@@ -47,7 +47,7 @@ internal static partial class Grouping
         int MainsIn(string key) => mains.Count(main => Key(main.Spot.Names, main.Spot.Names.Count).StartsWith(key + "\n", StringComparison.Ordinal));
     }
 
-    /// <summary>How many names lead to the innermost folder that is named after a student, or to the script that is named after another.</summary>
+    /// <summary>The number of names to the innermost folder named after a student, or to the script named after another one.</summary>
     private static int? Named(IReadOnlyList<string> names)
     {
         IReadOnlyList<Student> own = StudentName.Read(names[^1]);
@@ -63,7 +63,7 @@ internal static partial class Grouping
 
     private static string Key(IReadOnlyList<string> names, int count) => string.Join('\n', names.Take(count));
 
-    /// <summary>The place of the folder, or of the script where it is alone.</summary>
+    /// <summary>The place of the folder, or of a script that is alone.</summary>
     private static Spot Spot(string key, Piece first)
     {
         int drop = first.Spot.Names.Count - key.Split('\n').Length;
@@ -76,7 +76,7 @@ internal static partial class Grouping
 
     private static Submission Named(Spot spot, IReadOnlyList<Script> scripts, Finding? problem, IReadOnlyList<Finding> notes, Roster? roster)
     {
-        // the nearest name counts; what is inside a package only where nothing around it says who it is
+        // the nearest name counts; names inside a package only where none around it names a student
         IEnumerable<string> names = spot.Names.Reverse().Concat(scripts.Select(script => script.Spot.Name));
         Student[] read = [.. names.SelectMany(StudentName.Read)];
         Student? known = roster == null ? null : read.Select(roster.Find).FirstOrDefault(student => student != null);

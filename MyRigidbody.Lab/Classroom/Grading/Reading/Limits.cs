@@ -1,15 +1,15 @@
 namespace RigidBodyDynamics.Lab.Grading.Reading;
 
 /// <summary>
-/// How much of a file is read. A class of 120 whole projects is far below all of these; an archive made to fill the memory is
-/// told by the first one it reaches.
+/// Limits for reading. A class of 120 whole projects is far below all of them; an archive made to exhaust the memory exceeds one
+/// of them early.
 /// </summary>
 internal static class Limits
 {
-    /// <summary>Archives in archives; a package in the innermost one is still read.</summary>
+    /// <summary>Nesting of archives; a package in the innermost one is still read.</summary>
     public const int Depth = 3;
 
-    /// <summary>Entries of one archive, files of one folder with all below it.</summary>
+    /// <summary>Entries of one archive, or files of one folder with its subfolders.</summary>
     public const int Entries = 20_000;
 
     /// <summary>A script, bytes.</summary>
@@ -24,9 +24,9 @@ internal static class Limits
     /// <summary>An archive that is read into memory, bytes.</summary>
     public const int Archive = 1 << 28;
 
-    /// <summary>What one package unpacks to, bytes; scenes and pictures pass by and are not kept.</summary>
+    /// <summary>The unpacked size of one package, bytes; scenes and pictures are skipped and not kept.</summary>
     public const long Unpacked = 1L << 30;
 
-    /// <summary>All archives inside one that was handed in, bytes.</summary>
+    /// <summary>The sum of all archives inside one submitted archive, bytes.</summary>
     public const long Nested = 1L << 31;
 }

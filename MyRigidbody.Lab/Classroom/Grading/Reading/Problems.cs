@@ -3,7 +3,7 @@ using RigidBodyDynamics.Judging;
 
 namespace RigidBodyDynamics.Lab.Grading.Reading;
 
-/// <summary>What can be wrong with a file that was handed in, in words for the student and the instructor.</summary>
+/// <summary>The problems of a submitted file, in words for the student and the instructor.</summary>
 internal static class Problems
 {
     public static Finding Truncated() => Of(

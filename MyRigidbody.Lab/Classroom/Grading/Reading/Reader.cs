@@ -4,7 +4,7 @@ using RigidBodyDynamics.Judging;
 
 namespace RigidBodyDynamics.Lab.Grading.Reading;
 
-/// <summary>Looks into one file: a script, a package, or a zip with any of them, in memory.</summary>
+/// <summary>Reads one file in memory: a script, a package, or a zip that contains them.</summary>
 internal sealed class Reader
 {
     private const int UnixTypeShift = 16, UnixType = 0xf000, UnixLink = 0xa000;
@@ -12,7 +12,7 @@ internal sealed class Reader
     private readonly List<Piece> _pieces = [];
     private long _nested;
 
-    /// <summary>What is in a file that was handed in.</summary>
+    /// <summary>The contents of a submitted file.</summary>
     public static IReadOnlyList<Piece> Read(Spot spot, byte[] bytes)
     {
         Reader reader = new();
@@ -52,7 +52,7 @@ internal sealed class Reader
 
     private void Zip(Spot spot, byte[] bytes, int depth)
     {
-        // a package by name that is a zip by content is one submission all the same
+        // a zip with the name of a package is one submission
         bool isOne = IsPackage(spot);
         int before = _pieces.Count;
         List<Finding> notes = [.. Ending(spot, FileKind.Zip)];
@@ -76,7 +76,7 @@ internal sealed class Reader
         }
         catch (Exception damaged) when (damaged is InvalidDataException or IOException or ArgumentException or NotSupportedException or OverflowException)
         {
-            // the directory of a zip stands at its end
+            // the directory of a zip is at its end
             _pieces.Add(Piece.Unreadable(spot, damaged.Message.Contains("End of Central", StringComparison.OrdinalIgnoreCase) ? Problems.Truncated() : Problems.Damaged(damaged.Message)));
         }
 
@@ -136,7 +136,7 @@ internal sealed class Reader
         Look(inside, bytes, depth);
     }
 
-    /// <summary>Paths where somebody has packed again what was unpacked of a Unity package.</summary>
+    /// <summary>Paths of an unpacked Unity package that was packed again as a zip.</summary>
     private static Dictionary<string, string> UnityPaths(ZipArchive zip)
     {
         Dictionary<string, string> paths = [];

@@ -2,8 +2,8 @@ using RigidBodyDynamics.Judging;
 
 namespace RigidBodyDynamics.Lab.Grading.Reading;
 
-/// <summary>Where something was found: as it is shown, and the names on the way, in which students write who they are.</summary>
-/// <param name="Shown">With <c>/</c> between folders and <c>!</c> between an archive and what is in it.</param>
+/// <summary>The place of a file: as displayed, and as the names on its path, which may name the student.</summary>
+/// <param name="Shown">With <c>/</c> between folders and <c>!</c> between an archive and its content.</param>
 /// <param name="Names">Names of folders, archives and the file, outermost first.</param>
 internal sealed record Spot(string Shown, IReadOnlyList<string> Names)
 {
@@ -16,7 +16,7 @@ internal sealed record Spot(string Shown, IReadOnlyList<string> Names)
     /// <summary>A file or folder in this folder.</summary>
     public Spot InFolder(string name) => new(Shown.Length == 0 ? name : $"{Shown}/{name}", [.. Names, name]);
 
-    /// <summary>What stands at a path in this archive; the path is only a name, wherever it points.</summary>
+    /// <summary>The place of a path in this archive; the path is only a name, and never followed.</summary>
     public Spot InArchive(string path)
     {
         string[] parts = [.. path.Split('/', '\\').Where(part => part.Length > 0 && part is not ("." or ".."))];
@@ -29,17 +29,17 @@ internal sealed record Spot(string Shown, IReadOnlyList<string> Names)
 /// <param name="Bytes">Its content, in whatever encoding.</param>
 internal sealed record Script(Spot Spot, byte[] Bytes);
 
-/// <summary>What one file gave: a loose script, or a package with its scripts, or the reason why there is nothing.</summary>
-/// <param name="Spot">Where it was found.</param>
-/// <param name="IsPackage">True for what was handed in as one thing, which is then one submission.</param>
+/// <summary>The content of one file: a loose script, or a package with its scripts, or the reason why it cannot be read.</summary>
+/// <param name="Spot">Its place.</param>
+/// <param name="IsPackage">True for a file that is one submission.</param>
 /// <param name="Scripts">The scripts in it.</param>
 /// <param name="Problem">Why it could not be read; null if it was.</param>
-/// <param name="Notes">What was read all the same, but is not as it should be.</param>
+/// <param name="Notes">Problems that did not prevent reading.</param>
 internal sealed record Piece(Spot Spot, bool IsPackage, IReadOnlyList<Script> Scripts, Finding? Problem, IReadOnlyList<Finding> Notes)
 {
     /// <summary>A script by itself.</summary>
     public static Piece Loose(Script script) => new(script.Spot, false, [script], null, []);
 
-    /// <summary>Something that cannot be read.</summary>
+    /// <summary>A file that cannot be read.</summary>
     public static Piece Unreadable(Spot spot, Finding problem) => new(spot, true, [], problem, []);
 }

@@ -6,15 +6,15 @@ using RigidBodyDynamics.Judging;
 namespace RigidBodyDynamics.Lab.Grading.Reading;
 
 /// <summary>
-/// The scripts of a Unity package, read twice: first which GUID is which path, then the scripts among them. So nothing else is
-/// ever kept, and nothing is unpacked to disk. A plain tar of folders is read too.
+/// The scripts of a Unity package, read in two passes: first the path of each GUID, then the scripts among them. So nothing else
+/// is kept in memory, and nothing is unpacked to disk. A plain tar of folders is read, too.
 /// </summary>
 internal static class TarScripts
 {
     /// <summary>The package at a place.</summary>
     /// <param name="spot">Where it is.</param>
     /// <param name="bytes">Its content.</param>
-    /// <param name="notes">What is already known to be odd about it.</param>
+    /// <param name="notes">Problems that are already known.</param>
     public static Piece Read(Spot spot, byte[] bytes, IEnumerable<Finding> notes)
     {
         List<Finding> noted = [.. notes];
@@ -97,7 +97,7 @@ internal static class TarScripts
         return scripts;
     }
 
-    /// <summary>All entries; with a note where what follows the last one is not as it should be.</summary>
+    /// <summary>All entries; with a note if the data after the last one is damaged.</summary>
     private static IEnumerable<TarEntry> Entries(byte[] bytes, List<Finding> notes)
     {
         using Stream unpacked = new CountedStream(
@@ -111,7 +111,7 @@ internal static class TarScripts
             yield return entry;
         }
 
-        // the checksum of a gzip stands behind the tar
+        // the checksum of a gzip follows the tar
         if (!IsReadToItsEnd(unpacked))
             notes.Add(Problems.Checksum());
     }
@@ -129,7 +129,7 @@ internal static class TarScripts
         }
     }
 
-    /// <summary>True where the compressed stream ends before its end is said.</summary>
+    /// <summary>True where the compressed stream ends before its end mark.</summary>
     private static bool IsCut(byte[] bytes)
     {
         try

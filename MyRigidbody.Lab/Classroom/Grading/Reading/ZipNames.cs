@@ -7,10 +7,10 @@ namespace RigidBodyDynamics.Lab.Grading.Reading;
 /// <summary>Opens a zip whose names may be in GBK, as Chinese Windows writes them, or in UTF-8 without saying so, as macOS does.</summary>
 internal static class ZipNames
 {
-    /// <summary>The archive, with names as they were meant.</summary>
+    /// <summary>The archive, with its names decoded.</summary>
     public static ZipArchive Open(byte[] bytes)
     {
-        // names that do not say that they are UTF-8 come out byte by byte here
+        // names without the UTF-8 flag appear byte by byte here
         using ZipArchive raw = new(new MemoryStream(bytes), ZipArchiveMode.Read, leaveOpen: false, Encoding.Latin1);
         byte[] names = [.. raw.Entries
             .Select(entry => entry.FullName)

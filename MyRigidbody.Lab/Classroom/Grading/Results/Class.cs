@@ -7,14 +7,14 @@ using RigidBodyDynamics.Lab.Grading.Students;
 
 namespace RigidBodyDynamics.Lab.Grading;
 
-/// <summary>The class: all submissions, who is missing, what is alike.</summary>
-/// <param name="Name">How it is called: the path that was given.</param>
-/// <param name="Submissions">By student.</param>
-/// <param name="Roster">Those who should have handed in; null where no list was given.</param>
+/// <summary>The class: all submissions, missing students, similar scripts.</summary>
+/// <param name="Name">Its name: the given path.</param>
+/// <param name="Submissions">Ordered by student.</param>
+/// <param name="Roster">The class list; null where none was given.</param>
 /// <param name="Pairs">Pairs of submissions, by their numbers, that share much.</param>
-/// <param name="Scheme">How points are given.</param>
-/// <param name="Passed">What was passed over in reading, by its place.</param>
-/// <param name="Unused">Decisions about files that are not there.</param>
+/// <param name="Scheme">The points.</param>
+/// <param name="Passed">Files that were skipped, by place.</param>
+/// <param name="Unused">Decisions about files that do not exist.</param>
 internal sealed record Class(
     string Name,
     IReadOnlyList<Graded> Submissions,
@@ -24,10 +24,10 @@ internal sealed record Class(
     IReadOnlyList<(string Place, Finding Finding)> Passed,
     IReadOnlyList<string> Unused)
 {
-    /// <summary>Those on the list of whom nothing was found.</summary>
+    /// <summary>Students on the list without a submission.</summary>
     public IReadOnlyList<Student> Missing => Roster == null ? [] : [.. Roster.Students.Where(student => Submissions.All(one => one.Student is not Student known || Roster.Find(known) != student))];
 
-    /// <summary>Puts a class together of what was read and judged.</summary>
+    /// <summary>Combines what was read and judged.</summary>
     public static Class Of(string name, HandedIn handedIn, IReadOnlyList<(Submission Submission, Judgement Judgement)> judged, Roster? roster, MarksFile marks, string starter)
     {
         Graded[] all = [.. judged.Select(one => Settled(one.Submission, one.Judgement, roster, marks))
@@ -60,7 +60,7 @@ internal sealed record Class(
         return open with { Student = student, Judgement = settled, Marked = marked, Decision = decision, IsDecisionOld = isOld };
     }
 
-    // a package has a name that its student gave it; a loose script may have been taken out of one by anybody
+    // a student named the package; a loose script may have been unpacked by anyone
     private static Judgement WithName(Judgement judgement, Submission submission) =>
         submission.NameAsAsked || submission.Student != null || !(submission.Spot.Shown.Contains('!') || FileKinds.IsArchive(submission.Spot.Name))
             ? judgement
@@ -69,7 +69,7 @@ internal sealed record Class(
     private static bool IsAbout(Decision decision, Submission submission, Judgement judgement) =>
         decision.File == (judgement.File ?? submission.Spot.Shown) || decision.File == submission.Spot.Shown;
 
-    /// <summary>Which of a student's submissions counts: the one that was chosen, or else the first of those with most points.</summary>
+    /// <summary>The submission of a student that counts: the chosen one, or else the first of those with most points.</summary>
     private static Graded Counting(Graded one, IEnumerable<Graded> all) =>
         all.Where(other => Owner(other) == Owner(one) && other.Decision?.Counts != false).OrderByDescending(other => other.Decision?.Counts == true).ThenByDescending(other => other.Marked.Total).FirstOrDefault()!;
 

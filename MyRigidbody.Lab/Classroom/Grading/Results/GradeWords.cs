@@ -4,7 +4,7 @@ using RigidBodyDynamics.Lab.Languages;
 
 namespace RigidBodyDynamics.Lab.Grading;
 
-/// <summary>Every text of the pages of a class, in both languages. They say what was measured and what to look at.</summary>
+/// <summary>All texts of the pages of a class, in both languages.</summary>
 internal static class GradeWords
 {
     /// <summary>By name.</summary>

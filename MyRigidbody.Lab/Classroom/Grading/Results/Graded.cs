@@ -7,23 +7,23 @@ using RigidBodyDynamics.Lab.Grading.Students;
 
 namespace RigidBodyDynamics.Lab.Grading;
 
-/// <summary>A submission with all that is said of it.</summary>
-/// <param name="Submission">What was handed in.</param>
-/// <param name="Student">Whose it is, as read or as settled; null where nobody knows.</param>
-/// <param name="Measured">What was found out.</param>
-/// <param name="Judgement">The same with what the instructor has settled.</param>
+/// <summary>A submission with its results.</summary>
+/// <param name="Submission">The submission.</param>
+/// <param name="Student">The student, as read or as decided; null where unknown.</param>
+/// <param name="Measured">The judgement.</param>
+/// <param name="Judgement">The same with the instructor's decisions.</param>
 /// <param name="Marked">Its points.</param>
-/// <param name="Decision">What the instructor has settled; null where nothing was.</param>
+/// <param name="Decision">The instructor's decision; null where there is none.</param>
 internal sealed record Graded(Submission Submission, Student? Student, Judgement Measured, Judgement Judgement, Marked Marked, Decision? Decision)
 {
-    /// <summary>How <c>grade.json</c> and decisions call it.</summary>
+    /// <summary>Its name in <c>grade.json</c> and in decisions.</summary>
     public string File => Measured.File ?? Submission.Spot.Shown;
 
-    /// <summary>A fingerprint of what was judged, so that a decision is not taken for a script that is handed in later.</summary>
+    /// <summary>A hash of the judged script, so that a decision does not apply to a script that is submitted later.</summary>
     public string Content => Convert.ToHexStringLower(SHA256.HashData(
         Encoding.UTF8.GetBytes(string.Join('\n', Measured.Candidates.Select(one => one.Text).Append(Measured.Text))))).Substring(0, 8);
 
-    /// <summary>True where this is the submission of its student that gives the marks.</summary>
+    /// <summary>True for the submission that gives its student's marks.</summary>
     public bool Counts { get; init; } = true;
 
     /// <summary>True where an earlier decision was about another script.</summary>
@@ -38,5 +38,5 @@ internal sealed record Graded(Submission Submission, Student? Student, Judgement
 
 /// <summary>Another script that shares much with one.</summary>
 /// <param name="File">Its file.</param>
-/// <param name="Share">How much, from 0 to 1.</param>
+/// <param name="Share">The shared part, from 0 to 1.</param>
 internal sealed record Alike(string File, double Share);

@@ -3,7 +3,7 @@ using System.Text;
 
 namespace RigidBodyDynamics.Lab.Grading;
 
-/// <summary>Names of files that every file system takes, that say whose page it is, and of which no two are alike.</summary>
+/// <summary>Unique file names that every file system accepts and that name the student.</summary>
 internal static class PageNames
 {
     private const int Longest = 60;
@@ -21,7 +21,7 @@ internal static class PageNames
     /// <summary>A text as a part of a file's name.</summary>
     internal static string Safe(string text)
     {
-        // letters and digits of all languages, 〇 too; marks that combine could make two names one on some systems
+        // letters and digits of all languages, 〇 too; combining marks could make two names equal on some systems
         StringBuilder safe = new();
         foreach (Rune rune in text.EnumerateRunes().Take(Longest))
             safe.Append(Rune.IsLetterOrDigit(rune) || Rune.GetUnicodeCategory(rune) == UnicodeCategory.LetterNumber ? rune.ToString() : rune.Value is '-' or '_' ? rune.ToString() : "_");

@@ -10,17 +10,17 @@ using RigidBodyDynamics.Lab.Languages;
 namespace RigidBodyDynamics.Lab.Grading;
 
 /// <summary>An answer that an instructor can give: a line for the file of <c>--marks</c>.</summary>
-/// <param name="Meaning">What it says.</param>
+/// <param name="Meaning">Its meaning.</param>
 /// <param name="Line">The line.</param>
 internal sealed record Answer(Word Meaning, string Line);
 
-/// <summary>Something that an instructor decides and a program does not.</summary>
-/// <param name="Kind">Why it is asked: <c>doubt</c>, <c>run</c>, <c>twice</c>, <c>whose</c>.</param>
+/// <summary>A decision that an instructor has to make.</summary>
+/// <param name="Kind">Its reason: <c>doubt</c>, <c>run</c>, <c>twice</c>, <c>whose</c>.</param>
 /// <param name="About">The submission.</param>
-/// <param name="What">What is asked.</param>
-/// <param name="Expected">What the sheet has there.</param>
-/// <param name="Found">What was found there.</param>
-/// <param name="Answers">What can be answered.</param>
+/// <param name="What">The question.</param>
+/// <param name="Expected">The sheet's formula.</param>
+/// <param name="Found">The script's formula.</param>
+/// <param name="Answers">The possible answers.</param>
 internal sealed record Question(string Kind, Graded About, Word What, string Expected, string Found, IReadOnlyList<Answer> Answers)
 {
     private static readonly JsonSerializerOptions Options = new() { Encoder = JavaScriptEncoder.Create(UnicodeRanges.All) };
@@ -38,7 +38,7 @@ internal sealed record Question(string Kind, Graded About, Word What, string Exp
 
     private static IEnumerable<Question> Doubts(Graded one)
     {
-        // a script that has not run is asked about below: points help it, and "its code is right" does not
+        // a script that has not run gets a question below: points are possible, but its steps cannot be declared right
         IEnumerable<Finding> doubtful = one.Judgement.Verdict.Findings.Where(finding => finding.IsDoubtful && !(finding.Step == Step.Code && HasNotRun(one)));
         foreach (IGrouping<Step, Finding> doubts in doubtful.GroupBy(finding => finding.Step))
         {

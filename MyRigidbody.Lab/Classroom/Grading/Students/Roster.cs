@@ -9,7 +9,7 @@ namespace RigidBodyDynamics.Lab.Grading.Students;
 /// <summary>The class list: a table with a column of numbers, one of names, or both, as school systems and spreadsheets write it.</summary>
 internal sealed partial class Roster
 {
-    // titles of a school's system stand above the headings
+    // school systems put titles above the headings
     private const int MostTitleLines = 10;
 
     private static readonly string[] IdHeadings =
@@ -20,13 +20,13 @@ internal sealed partial class Roster
 
     private Roster(IReadOnlyList<Student> students) => Students = students;
 
-    /// <summary>Those on the list, in its order.</summary>
+    /// <summary>The students on the list, in order.</summary>
     public IReadOnlyList<Student> Students { get; }
 
-    /// <summary>Reads a list; what is wrong with it is one line that names the file and the place.</summary>
+    /// <summary>Reads a list; an error is one line that names the file and the place.</summary>
     public static Roster Read(string path) => Parse(path, InputFile.Bytes(path).ToArray());
 
-    /// <summary>The same of its bytes.</summary>
+    /// <summary>The same from bytes.</summary>
     internal static Roster Parse(string path, byte[] bytes)
     {
         List<(int Line, string[] Cells)> rows = Rows(path, SourceText.Decode(bytes).Text);
@@ -51,7 +51,7 @@ internal sealed partial class Roster
         return students.Count > 0 ? new Roster(students) : throw new InputException($"{path}: there is no student in it");
     }
 
-    /// <summary>The student on the list with a number; where none was read, the one with a name that nobody shares.</summary>
+    /// <summary>The student on the list with a number; where none was read, the one with a unique name.</summary>
     public Student? Find(Student read) =>
         read.Id.Length > 0 ? Students.FirstOrDefault(student => student.Id == read.Id) : Namesake(read.Name);
 
@@ -59,7 +59,7 @@ internal sealed partial class Roster
     public Student? Namesake(string name) =>
         name.Length > 0 && Students.Where(student => student.Name == name).Take(2).ToArray() is [Student only] ? only : null;
 
-    /// <summary>The only student whose name a text holds as a word of its own.</summary>
+    /// <summary>The only student whose name a text contains as a separate word.</summary>
     public Student? Named(string text) =>
         Students.Where(student => student.Name.Length > 1 && Regex.IsMatch(text, $@"(?<!\p{{L}}){Regex.Escape(student.Name)}(?!\p{{L}}|〇)")).Take(2).ToArray() is [Student only] ? only : null;
 
@@ -88,7 +88,7 @@ internal sealed partial class Roster
         }
     }
 
-    // ="0123" is how spreadsheets keep the zero in front; an apostrophe does the same
+    // ="0123" is how spreadsheets keep a leading zero; an apostrophe does the same
     private static string Clean(string cell)
     {
         string text = cell.Trim().Trim('\u200b', '\ufeff', '\u00a0').Trim();
@@ -112,7 +112,7 @@ internal sealed partial class Roster
                     return (found, row + 1);
             }
 
-            // no headings at all: a number, and a name beside it
+            // without headings: a number, and a name beside it
             int first = rows.FindIndex(row => row.Cells.Any(IsNumber));
             if (first < 0)
                 return null;

@@ -3,20 +3,20 @@ using System.Text.RegularExpressions;
 
 namespace RigidBodyDynamics.Lab.Grading.Students;
 
-/// <summary>Who handed something in.</summary>
+/// <summary>A student.</summary>
 /// <param name="Id">学号; empty where only a name is known.</param>
 /// <param name="Name">姓名; empty where only a number is known.</param>
 internal sealed record Student(string Id, string Name);
 
 /// <summary>
-/// Reads who a student is from a name of a file, folder or archive: <c>学号_姓名</c>, as the sheet asks, and what people write
-/// instead (another order, other marks, none, something about the lab beside it).
+/// Reads the student from a name of a file, folder or archive: <c>学号_姓名</c>, as the sheet asks, and the usual variants
+/// (another order, other separators, none, something about the lab beside it).
 /// </summary>
 internal static partial class StudentName
 {
     private const int LongestName = 40;
 
-    /// <summary>Every student that a name may speak of, the likeliest first; none where it has no number.</summary>
+    /// <summary>Every student that a name may mean, the likeliest first; none where it has no number.</summary>
     public static IReadOnlyList<Student> Read(string fileName)
     {
         string text = Stem(fileName);
@@ -28,12 +28,12 @@ internal static partial class StudentName
     /// <summary>True for exactly <c>学号_姓名</c>.</summary>
     public static bool IsAsAsked(string fileName) => AsAsked().IsMatch(Stem(fileName));
 
-    /// <summary>Without the ending and what browsers add to a second download; full-width digits and marks as plain ones.</summary>
+    /// <summary>Without the extension and the suffix that browsers add to a second download; full-width digits and marks as plain ones.</summary>
     public static string Stem(string fileName) => Ending().Replace(string.Concat(fileName.Select(Plain)), string.Empty).Trim();
 
     private static char Plain(char letter) => letter is >= '！' and <= '～' ? (char)(letter - '！' + '!') : letter == '\u3000' ? ' ' : letter;
 
-    /// <summary>The part after or before the number that is a person's name: the nearest one that does not speak of the lab.</summary>
+    /// <summary>The part beside the number that is a person's name: the nearest one that is not about the lab.</summary>
     private static string NameBeside(string text, Match id)
     {
         string[] after = Parts(text[(id.Index + id.Length)..]), before = Parts(text[..id.Index]);

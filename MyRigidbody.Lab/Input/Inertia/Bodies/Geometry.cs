@@ -2,8 +2,8 @@ using RigidBodyDynamics.Lab.Meshes;
 
 namespace RigidBodyDynamics.Lab.Inertia;
 
-/// <summary>A shape about its own origin, of a material of 1 kg/m³, and the box it lies in.</summary>
-/// <param name="Filled">Evenly filled; its mass is its volume.</param>
+/// <summary>A shape about its own origin, of a material of 1 kg/m³, and its bounding box.</summary>
+/// <param name="Filled">Homogeneous; its mass is its volume.</param>
 /// <param name="Low">The lowest corner of the box, m.</param>
 /// <param name="High">The highest corner.</param>
 internal sealed record Shape(MassProperties Filled, Vector3d Low, Vector3d High)
@@ -29,7 +29,7 @@ internal sealed record Shape(MassProperties Filled, Vector3d Low, Vector3d High)
     public static Shape Capsule(double radius, double height) => About(
         Solids.Capsule(Math.PI * radius * radius * (height + (4 * radius / 3)), radius, height, axis: 2), new Vector3d(radius, radius, (0.5 * height) + radius));
 
-    /// <summary>What a closed surface encloses.</summary>
+    /// <summary>The solid inside a closed surface.</summary>
     public static Shape Mesh(MeshFile mesh)
     {
         Vector3d low = mesh.Vertices[0], high = low;
@@ -45,21 +45,21 @@ internal sealed record Shape(MassProperties Filled, Vector3d Low, Vector3d High)
     private static Shape About(MassProperties filled, Vector3d half) => new(filled, -half, half);
 }
 
-/// <summary>What a file says a body looks like: shapes in the body's frame. Where they overlap they count twice.</summary>
+/// <summary>The geometry of a body in a file: shapes in the body's frame. Overlaps count twice.</summary>
 internal sealed class Geometry
 {
     private readonly Compound _parts = new();
 
-    /// <summary>The lowest corner of the box they all lie in, m.</summary>
+    /// <summary>The lowest corner of the common bounding box, m.</summary>
     public Vector3d Low { get; private set; } = new(double.MaxValue, double.MaxValue, double.MaxValue);
 
     /// <summary>The highest corner.</summary>
     public Vector3d High { get; private set; } = new(double.MinValue, double.MinValue, double.MinValue);
 
-    /// <summary>How many shapes there are.</summary>
+    /// <summary>The number of shapes.</summary>
     public int Count { get; private set; }
 
-    /// <summary>How large it is: the diagonal of the box.</summary>
+    /// <summary>The diagonal of the box.</summary>
     public double Size => (High - Low).Length;
 
     /// <summary>Adds a shape.</summary>
@@ -79,10 +79,10 @@ internal sealed class Geometry
         Count++;
     }
 
-    /// <summary>All of it as one body, by the densities with which it was added.</summary>
+    /// <summary>All shapes as one body, with the densities with which they were added.</summary>
     public MassProperties Whole() => _parts.ToMassProperties();
 
-    /// <summary>All of it evenly filled, as heavy as is said; null where that is beyond the range of numbers.</summary>
+    /// <summary>All shapes with one density that gives a mass; null where a number overflows.</summary>
     public MassProperties? Weighing(double mass)
     {
         try

@@ -3,13 +3,13 @@ using System.Xml.Linq;
 
 namespace RigidBodyDynamics.Lab.Inertia.Robots;
 
-/// <summary>Numbers in attributes of a robot description; one that is none is refused with its line.</summary>
-/// <param name="File">The file, as the user called it.</param>
+/// <summary>Numbers in attributes of a robot description; an invalid one is refused with its line.</summary>
+/// <param name="File">The file, as typed.</param>
 internal sealed record Attributes(string File)
 {
     private const int MostShown = 60;
 
-    /// <summary>A number that must be there.</summary>
+    /// <summary>A required number.</summary>
     public double Number(XElement element, string name) =>
         Numbers(element, name, 1, 1)?[0] ?? throw Wrong(element, $"{name} is missing");
 
@@ -21,11 +21,11 @@ internal sealed record Attributes(string File)
     public Vector3d? Vector(XElement? element, string name) =>
         element != null && Numbers(element, name, 3, 3) is double[] n ? new Vector3d(n[0], n[1], n[2]) : null;
 
-    /// <summary>Numbers with blanks between them; null if the attribute is not there.</summary>
+    /// <summary>Numbers separated by blanks; null if the attribute is absent.</summary>
     public double[]? Numbers(XElement element, string name, int fewest, int most) =>
         element.Attribute(name) is XAttribute attribute ? Numbers(element, name, attribute.Value, fewest, most) : null;
 
-    /// <summary>Numbers of a text that stands in an attribute.</summary>
+    /// <summary>Numbers in a text of an attribute.</summary>
     public double[] Numbers(XElement element, string name, string text, int fewest, int most)
     {
         string[] words = text.Split((char[]?)null, StringSplitOptions.RemoveEmptyEntries);
@@ -46,7 +46,7 @@ internal sealed record Attributes(string File)
         return numbers;
     }
 
-    /// <summary>The error that says what is wrong at an element.</summary>
+    /// <summary>The error at an element.</summary>
     public InputException Wrong(XElement element, string what) => XmlFile.Wrong(File, element, $"{Shown(element.Name.LocalName)}: {what}");
 
     private static string Shown(string text) => text.Length <= MostShown ? text : text[..MostShown] + "…";

@@ -2,7 +2,7 @@ using System.Xml.Linq;
 
 namespace RigidBodyDynamics.Lab.Inertia.Robots;
 
-/// <summary>What the default classes of an MJCF say of geoms and meshes. A class has what those above it say, and its own on top.</summary>
+/// <summary>The default classes of an MJCF for geoms and meshes. A class inherits from those above it.</summary>
 internal sealed class MjcfDefaults
 {
     private readonly Dictionary<string, Dictionary<string, XElement>> _classes = [];
@@ -17,7 +17,7 @@ internal sealed class MjcfDefaults
         }
     }
 
-    /// <summary>An element with all attributes that hold for it.</summary>
+    /// <summary>An element with all attributes that apply to it.</summary>
     public XElement With(XElement element, string? childClass = null)
     {
         string name = element.Attribute("class")?.Value ?? childClass ?? _main;
@@ -45,7 +45,7 @@ internal sealed class MjcfDefaults
     private static XElement Over(XElement below, XElement above)
     {
         XElement both = new(above.Name, above.Attributes().Select(attribute => new XAttribute(attribute)));
-        // two ways to say an orientation are one
+        // any attribute of orientation replaces the inherited one
         bool isTurned = above.Attributes().Any(attribute => MjcfTurns.Names.Contains(attribute.Name.LocalName));
         foreach (XAttribute attribute in below.Attributes())
         {

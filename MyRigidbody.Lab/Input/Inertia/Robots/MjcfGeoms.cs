@@ -3,8 +3,8 @@ using System.Xml.Linq;
 namespace RigidBodyDynamics.Lab.Inertia.Robots;
 
 /// <summary>A geom of an MJCF.</summary>
-/// <param name="Element">As it stands in the file.</param>
-/// <param name="Full">With what its default class says.</param>
+/// <param name="Element">As in the file.</param>
+/// <param name="Full">With the attributes of its default class.</param>
 /// <param name="Position">Of the frame around it, in the body.</param>
 /// <param name="Turn">Of the frame around it.</param>
 /// <param name="Attributes">Reads numbers.</param>
@@ -13,11 +13,11 @@ internal sealed record MjcfGeom(XElement Element, XElement Full, Vector3d Positi
     /// <summary>Its group, 0 if it says none.</summary>
     public double Group => Attributes.Number(Full, "group", 0);
 
-    /// <summary>True unless it is only seen.</summary>
+    /// <summary>True unless it is visual only.</summary>
     public bool Collides => Attributes.Number(Full, "contype", 1) != 0 || Attributes.Number(Full, "conaffinity", 1) != 0;
 }
 
-/// <summary>The solids that geoms of an MJCF are.</summary>
+/// <summary>The solids of the geoms of an MJCF.</summary>
 internal sealed class MjcfGeoms
 {
     private const double Water = 1000;
@@ -42,8 +42,8 @@ internal sealed class MjcfGeoms
         }
     }
 
-    /// <summary>The solid, its density, and where it is in the body; null for what has no mass, as a plane.</summary>
-    /// <exception cref="OmittedException">It is not understood, or its mesh cannot be had.</exception>
+    /// <summary>The solid, its density, and its place in the body; null for a geom without mass, such as a plane.</summary>
+    /// <exception cref="OmittedException">It is not understood, or its mesh cannot be read.</exception>
     public (Shape Shape, double Density, Vector3d Position, Quaterniond Turn)? Solid(MjcfGeom geom)
     {
         XElement full = geom.Full;

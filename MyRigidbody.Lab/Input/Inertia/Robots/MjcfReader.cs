@@ -4,7 +4,7 @@ namespace RigidBodyDynamics.Lab.Inertia.Robots;
 
 /// <summary>
 /// Reads the bodies of an MJCF: inertial (fullinertia in the order xx, yy, zz, xy, xz, yz, about pos), or geoms where there is none
-/// (mujoco.readthedocs.io, XML reference). What it does not follow it says.
+/// (mujoco.readthedocs.io, XML reference). It reports what it does not implement.
 /// </summary>
 internal sealed class MjcfReader
 {
@@ -47,10 +47,10 @@ internal sealed class MjcfReader
         }
     }
 
-    /// <summary>What concerns the whole file.</summary>
+    /// <summary>Notes about the whole file.</summary>
     public IReadOnlyList<string> Notes => _notes;
 
-    /// <summary>All bodies; the world is none.</summary>
+    /// <summary>All bodies without the world.</summary>
     public IReadOnlyList<DescribedBody> Read()
     {
         List<DescribedBody> bodies = [];
@@ -62,7 +62,7 @@ internal sealed class MjcfReader
         return bodies;
     }
 
-    // depth is limited by the reader of XML
+    // the XML reader limits the depth
     private void Bodies(XElement parent, string? inherited, List<DescribedBody> bodies)
     {
         foreach (XElement child in parent.Elements())
@@ -180,7 +180,7 @@ internal sealed class MjcfReader
         }
     }
 
-    /// <summary>What a body with numbers of its own looks like: what collides, or what is seen where nothing does.</summary>
+    /// <summary>The geometry of a body with an inertial: colliding geoms, or visual ones where none collides.</summary>
     private Geometry? Looks(IReadOnlyList<MjcfGeom> geoms, List<string> notes)
     {
         Geometry all = new();

@@ -2,10 +2,10 @@ using System.Xml.Linq;
 
 namespace RigidBodyDynamics.Lab.Inertia.Robots;
 
-/// <summary>The five ways in which MJCF says an orientation.</summary>
+/// <summary>The five forms of an orientation in MJCF.</summary>
 /// <param name="attributes">Reads numbers.</param>
-/// <param name="inDegrees">The compiler's angle; degrees if it says nothing.</param>
-/// <param name="sequence">The compiler's eulerseq: small letters turn with the body, capitals stay.</param>
+/// <param name="inDegrees">The compiler's angle; degrees by default.</param>
+/// <param name="sequence">The compiler's eulerseq: lower-case axes rotate with the body, upper-case axes are fixed.</param>
 internal sealed class MjcfTurns(Attributes attributes, bool inDegrees, string sequence)
 {
     /// <summary>The names of the attributes.</summary>
@@ -13,7 +13,7 @@ internal sealed class MjcfTurns(Attributes attributes, bool inDegrees, string se
 
     private readonly double _unit = inDegrees ? Math.PI / 180 : 1;
 
-    /// <summary>The orientation of an element; none is none.</summary>
+    /// <summary>The orientation of an element; the identity by default.</summary>
     public Quaterniond Of(XElement element)
     {
         string[] said = [.. Names.Where(name => element.Attribute(name) != null)];
@@ -41,11 +41,11 @@ internal sealed class MjcfTurns(Attributes attributes, bool inDegrees, string se
         return square > 1e-20 && square < 1e20 ? turn.Normalized : throw attributes.Wrong(element, $"{said[0]} is no orientation");
     }
 
-    /// <summary>The shortest turn that takes z to a direction.</summary>
+    /// <summary>The shortest rotation that takes z to a direction.</summary>
     public static Quaterniond ToZ(Vector3d direction)
     {
         Vector3d z = direction.Normalized;
-        // half way: 1 + cos, and the axis times sin
+        // the quaternion of half the angle, up to its length: 1 + cos, and the axis times sin
         return z.Z > -1 + 1e-12 ? new Quaterniond(1 + z.Z, -z.Y, z.X, 0).Normalized : new Quaterniond(0, 1, 0, 0);
     }
 
@@ -53,7 +53,7 @@ internal sealed class MjcfTurns(Attributes attributes, bool inDegrees, string se
     {
         x = x.Normalized;
         y = (y - Vector3d.Dot(x, y) * x).Normalized;
-        // first z to its place, then x about it
+        // first z to its direction, then x about it
         Quaterniond first = ToZ(Vector3d.Cross(x, y));
         Vector3d left = first.RotateInverse(x);
         double angle = Math.Atan2(left.Y, left.X);

@@ -2,11 +2,11 @@ using RigidBodyDynamics.Lab.Meshes;
 
 namespace RigidBodyDynamics.Lab.Inertia.Robots;
 
-/// <summary>The meshes that a robot description names, each read once. What cannot be read is no fault of the description.</summary>
+/// <summary>The meshes of a robot description, each read once. An unreadable mesh is not an error of the description.</summary>
 /// <param name="file">The description.</param>
 internal sealed class RobotMeshes(string file)
 {
-    // however many geometries name a mesh, in however many sizes
+    // the sum over all meshes, however often each is used
     private const long MostTriangles = 20_000_000;
     private const int MostFolders = 6;
     private readonly MeshShelf _read = new();
@@ -14,7 +14,7 @@ internal sealed class RobotMeshes(string file)
     private long _triangles;
 
     /// <summary>The solid inside a mesh.</summary>
-    /// <exception cref="OmittedException">It cannot be had; the message says why.</exception>
+    /// <exception cref="OmittedException">It cannot be read; the message says why.</exception>
     public Shape Shape(string name, Vector3d scale)
     {
         string path = Found(name);
@@ -33,7 +33,7 @@ internal sealed class RobotMeshes(string file)
         return _shapes[(path, scale)] = Solid(() => Inertia.Shape.Mesh(mesh.Scaled(scale)));
     }
 
-    // a mesh that is broken is another file's fault
+    // a broken mesh is an error of another file
     private static T Solid<T>(Func<T> make)
     {
         try

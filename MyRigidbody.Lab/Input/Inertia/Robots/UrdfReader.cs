@@ -3,8 +3,8 @@ using System.Xml.Linq;
 namespace RigidBodyDynamics.Lab.Inertia.Robots;
 
 /// <summary>
-/// Reads the links of a URDF: mass, the tensor about the centre of mass in the axes of inertial/origin (rpy: about the fixed axes x, y, z in
-/// turn), and collision geometry, or visual where there is none (wiki.ros.org/urdf/XML/link).
+/// Reads the links of a URDF: mass, the tensor about the centre of mass in the axes of inertial/origin (rpy: about the fixed axes x, y, z,
+/// one after another), and collision geometry, or visual where there is none (wiki.ros.org/urdf/XML/link).
 /// </summary>
 internal sealed class UrdfReader(string file)
 {
@@ -67,7 +67,7 @@ internal sealed class UrdfReader(string file)
         static Quaterniond About(Vector3d axis, double angle) => angle == 0 ? Quaterniond.Identity : Quaterniond.FromAxisAngle(axis, angle);
     }
 
-    /// <summary>All of a kind; null where there is none, or where one is not understood: half a body would be another one.</summary>
+    /// <summary>All geometry of a kind; null where there is none, or where a part is not understood: a part alone would be another body.</summary>
     private Geometry? Geometry(XElement link, string kind, List<string> notes)
     {
         Geometry all = new();

@@ -4,7 +4,7 @@ using System.Xml.Linq;
 
 namespace RigidBodyDynamics.Lab.Inertia.Robots;
 
-/// <summary>Reads a robot description in XML. Nothing it names is fetched, nothing in it can grow, and how deep it goes is limited.</summary>
+/// <summary>Reads a robot description in XML. Nothing it refers to is fetched, entities are not expanded, and its depth is limited.</summary>
 internal static class XmlFile
 {
     private const int MostDepth = 200, MostNodes = 1_000_000, MostCharacters = 1 << 26;
@@ -15,7 +15,7 @@ internal static class XmlFile
         ArraySegment<byte> bytes = InputFile.Bytes(path);
         try
         {
-            // once for its limits, and only then into a tree, which is many times as large
+            // first without a tree, only for its limits, because a tree takes many times the memory
             using (XmlReader limits = Reader(bytes))
             {
                 for (int nodes = 0; limits.Read(); nodes += 1 + limits.AttributeCount)
@@ -39,10 +39,10 @@ internal static class XmlFile
         }
     }
 
-    /// <summary>Where an element stands: "line 12".</summary>
+    /// <summary>The line of an element: "line 12".</summary>
     public static string Line(IXmlLineInfo element) => string.Create(CultureInfo.InvariantCulture, $"line {element.LineNumber}");
 
-    /// <summary>The error that says what is wrong at an element.</summary>
+    /// <summary>The error at an element.</summary>
     public static InputException Wrong(string path, IXmlLineInfo element, string what) => new($"{path}: {Line(element)}: {what}");
 
     private static XmlReader Reader(ArraySegment<byte> bytes) => XmlReader.Create(
