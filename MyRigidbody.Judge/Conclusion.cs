@@ -3,7 +3,7 @@ using System.Linq;
 
 namespace RigidBodyDynamics.Judging
 {
-    /// <summary>From the best explanation to marks and findings.</summary>
+    /// <summary>Marks and findings from the best explanation.</summary>
     internal sealed class Conclusion
     {
         private readonly IReadOnlyList<Observation> _frames;

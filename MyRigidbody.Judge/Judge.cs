@@ -4,22 +4,22 @@ using System.Linq;
 namespace RigidBodyDynamics.Judging
 {
     /// <summary>
-    /// The decision: which of the five steps are as the sheet has them. Every step is fitted frame by frame from the script's own state
-    /// before it. What no frame shows alone, the time step and the order of damping, is tried in every way; the way that leaves the
-    /// fewest steps off is told.
+    /// Decides which of the five steps are as on the sheet. Every step is fitted frame by frame from the script's own state before it.
+    /// The time step and the order of damping, which no single frame shows, are tried in every combination; the one with the fewest
+    /// wrong steps is reported.
     /// </summary>
     public static class Judge
     {
         public static Verdict Decide(Recording recording)
         {
             IReadOnlyList<Observation> frames = Observation.Of(recording);
-            // what a script means, its time step and where it takes the gains from, is seen in a part of the frames; what it does is then looked for in all
+            // the time step and the source of the gains are found in a part of the frames; the steps are then judged in all of them
             Motion part = new Motion(frames.Where(o => o.IsVaried || o.Index % 10 == 0));
             Explanation best = Best(TimeStep.Candidates(Slopes(frames)).Select(step => new Explanation(part, step)));
             return new Conclusion(frames, best.In(new Motion(frames))).Verdict();
         }
 
-        /// <summary>The first that leaves nothing off; else the first of those that leave the least.</summary>
+        /// <summary>The first without wrong steps; else the first of those with the fewest.</summary>
         private static Explanation Best(IEnumerable<Explanation> explanations)
         {
             List<Explanation> all = new List<Explanation>();
@@ -40,7 +40,7 @@ namespace RigidBodyDynamics.Judging
             return best;
         }
 
-        /// <summary>What stands in the place of Δt in each step at 50 frames a second, as the median frame has it.</summary>
+        /// <summary>The median factor in place of Δt in each step, at 50 frames a second.</summary>
         private static IEnumerable<double> Slopes(IReadOnlyList<Observation> frames)
         {
             Observation[] usual = frames.Where(o => System.Math.Abs(o.Delta - FrameInput.FixedDelta) < 1e-9 && o.Before.Velocity.HasValue && o.Before.AngularVelocity.HasValue).ToArray();

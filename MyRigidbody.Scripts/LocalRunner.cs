@@ -9,17 +9,17 @@ namespace RigidBodyDynamics.StudentScripts;
 
 /// <summary>
 /// Compiles, runs and judges scripts in this process, as <see cref="ScriptRunner"/> does in a child: for a browser, where the page
-/// gives each worker nothing that a script could reach, and ends one that does not answer.
+/// isolates each worker, and ends one that does not answer.
 /// </summary>
 internal sealed class LocalRunner
 {
-    // ms; a process of its own counts instead, so that its verdict is the same on any machine
+    // ms; a child process counts ticks instead, so that its verdict is the same on any machine
     private const long MostOfMessage = 1000, MostOfScript = 20_000;
 
     private readonly Coverage _coverage = new(null);
     static LocalRunner() => Meter.MostTime = (MostOfMessage, MostOfScript);
 
-    /// <summary>Called when a script begins to run, and when it has.</summary>
+    /// <summary>Called when a script begins to run, and when it has ended.</summary>
     public required Action<bool> IsRunning { get; init; }
 
     /// <summary>Called after every frame of a script.</summary>
@@ -30,21 +30,21 @@ internal sealed class LocalRunner
     private CompiledScript? _compiled;
     private Finding? _noScript;
 
-    /// <summary>What keeps the script from being run, with its places.</summary>
+    /// <summary>What prevents running the script, with its places.</summary>
     public IReadOnlyList<Objection> Objections(IReadOnlyList<ScriptFile> files)
     {
         Read(files);
         return _read?.Objections ?? [Objection.At(Microsoft.CodeAnalysis.Location.None, _noScript!)];
     }
 
-    /// <summary>What is said of a submission that was ended from outside while it ran.</summary>
+    /// <summary>The report on a submission that was ended from outside while it ran.</summary>
     /// <param name="files">Its source files.</param>
-    /// <param name="code">Why: endless-loop, memory, ended.</param>
+    /// <param name="code">The reason: endless-loop, memory, ended.</param>
     public ScriptReport Ended(IReadOnlyList<ScriptFile> files, string code) => Compile(files) is { } compiled
         ? Reports.Refused(Look.At(compiled, _coverage), files, [Words.Stopped(code, code == "ended" ? string.Empty : "Update")])
         : Reports.Refused(Look.WithoutScript(_noScript!), files, [_noScript!]);
 
-    /// <summary>Judges one submission. Nothing that a script does is thrown here.</summary>
+    /// <summary>Judges one submission. Exceptions of the script are not thrown here.</summary>
     public ScriptReport Run(IReadOnlyList<ScriptFile> files)
     {
         if (Compile(files) is not { } compiled)
@@ -54,7 +54,7 @@ internal sealed class LocalRunner
         if (look.Refusals.Count > 0)
             return Reports.Refused(look, files, look.Refusals);
 
-        // there is one world
+        // there is only one world
         Playing = null;
         IsRunning(true);
         RunOutcome outcome = Execution.Run(compiled, AtWork);
@@ -62,10 +62,10 @@ internal sealed class LocalRunner
         return outcome.Recording is { } recording ? Reports.Judged(look, files, recording) : Reports.Refused(look, files, [outcome.Stopped!]);
     }
 
-    /// <summary>Puts a script on an object, to be played; why it cannot be, or null.</summary>
+    /// <summary>Puts a script on an object, to be played; returns why it cannot be, or null.</summary>
     /// <param name="files">Its source files.</param>
-    /// <param name="edges">Of the object, a box; its mesh is the unit cube's.</param>
-    /// <param name="pose">Where it is.</param>
+    /// <param name="edges">The edges of the object, a box; its mesh is the unit cube's.</param>
+    /// <param name="pose">Its pose.</param>
     /// <param name="delta">Length of every frame, s.</param>
     public Finding? Play(IReadOnlyList<ScriptFile> files, Vector edges, Pose pose, double delta)
     {
@@ -80,10 +80,10 @@ internal sealed class LocalRunner
         return Playing.Stopped;
     }
 
-    /// <summary>The script that is played; null before one is, and once another script has been judged.</summary>
+    /// <summary>The script that is played; null before one is, and after another script has been judged.</summary>
     public LiveScript? Playing { get; private set; }
 
-    // what is asked after one text is asked of the same compilation
+    // later questions about the same text use the same compilation
     private void Read(IReadOnlyList<ScriptFile> files)
     {
         if (AreAlike(files, _files))

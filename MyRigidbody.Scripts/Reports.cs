@@ -4,7 +4,7 @@ using RigidBodyDynamics.StudentScripts.Comments;
 
 namespace RigidBodyDynamics.StudentScripts;
 
-/// <summary>From what the child has reported to what is said of a submission.</summary>
+/// <summary>The report on a submission, from what the child has sent.</summary>
 internal static class Reports
 {
     public static ScriptReport Refused(Look? look, IReadOnlyList<ScriptFile> files, IReadOnlyList<Finding> why) =>
@@ -17,7 +17,7 @@ internal static class Reports
         return Report(look, files, look.Notes.Aggregate(verdict, (sum, note) => sum.With(note)), recording);
     }
 
-    // what the checker does not know is not the script's fault
+    // a limitation of the checker is not the script's fault
     private static Verdict Refusal(Finding[] findings, bool isDoubtful) =>
         isDoubtful ? new Verdict(new Dictionary<Step, Mark>(), findings) : Verdict.Refused(findings);
 

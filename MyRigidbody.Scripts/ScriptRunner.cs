@@ -4,12 +4,12 @@ using RigidBodyDynamics.StudentScripts.Children;
 namespace RigidBodyDynamics.StudentScripts;
 
 /// <summary>
-/// Compiles and runs scripts of students in a child process, which may die, and judges here what it reports. One thread at a time;
-/// make one for each core. What one script does to its child no other script sees: a child that was abused is replaced.
+/// Compiles and runs scripts of students in a child process, which may die, and judges its recording here. For one thread at a time;
+/// create one for each core. A script cannot affect another one through its child: a damaged child is replaced.
 /// </summary>
 public sealed class ScriptRunner : IDisposable
 {
-    // by then any script has long been stopped by the meter; what is left is what the meter cannot see
+    // the meter stops any script long before; this is for what the meter cannot see
     private const double MostProcessorTime = 10, MostTime = 120;
 
     private const long MostMemory = 1_200_000_000;
@@ -20,16 +20,16 @@ public sealed class ScriptRunner : IDisposable
     private Child? _child;
     private int _served;
 
-    /// <summary>The starter that comments are counted against where none is given.</summary>
+    /// <summary>The starter for counting comments where none is given.</summary>
     public static string SheetStarter => Comments.Coverage.Sheets();
 
     /// <param name="starter">The text of the starter, for the count of comments; null for the sheet's.</param>
     public ScriptRunner(string? starter = null) => _starter = starter ?? string.Empty;
 
-    /// <summary>Where a program was started as the child of one that is a single file: serves until its parent goes away.</summary>
+    /// <summary>Where a single-file program was started as its own child: serves until its parent goes away.</summary>
     /// <param name="arguments">The program's arguments.</param>
     /// <param name="exitCode">The child's exit code.</param>
-    /// <returns>Whether it was.</returns>
+    /// <returns>True if it was a child.</returns>
     public static bool WasChild(string[] arguments, out int exitCode)
     {
         bool isChild = arguments is [Server.Command] && Child.IsThisProgram && Console.IsInputRedirected;
@@ -40,7 +40,7 @@ public sealed class ScriptRunner : IDisposable
     /// <summary>Starts the child before it is needed.</summary>
     public void WarmUp() => _child ??= Child.Start(_starter);
 
-    /// <summary>Judges one submission. Nothing that a script does is thrown here.</summary>
+    /// <summary>Judges one submission. Exceptions of the script are not thrown here.</summary>
     /// <param name="files">Its source files.</param>
     /// <param name="stop">Ends the child and throws.</param>
     public ScriptReport Run(IReadOnlyList<ScriptFile> files, CancellationToken stop = default)
@@ -50,7 +50,7 @@ public sealed class ScriptRunner : IDisposable
 
         bool isFresh = _child == null;
         Attempt first = Try(files, stop);
-        // whoever came before may be to blame: the child's death counts only if a new one dies of it too
+        // an earlier script may be the cause: the child's death counts only if a new child dies, too
         return first.Died && !isFresh ? Try(files, stop).Report : first.Report;
     }
 
@@ -81,7 +81,7 @@ public sealed class ScriptRunner : IDisposable
         catch (Exception broken) when (broken is IOException or InvalidDataException or FormatException or ArgumentException or NotSupportedException)
         {
             stop.ThrowIfCancellationRequested();
-            // its last words may come after its end
+            // its last output may arrive after its end
             Child dead = _child!;
             _child = null;
             dead.Dispose();

@@ -2,7 +2,7 @@ using System.Text;
 
 namespace RigidBodyDynamics.StudentScripts;
 
-/// <summary>Text as editors on Windows, in Chinese and elsewhere, save it.</summary>
+/// <summary>Text in the encodings of editors on Windows, Chinese and others.</summary>
 public static class SourceText
 {
     private static readonly UTF8Encoding StrictUtf8 = new(encoderShouldEmitUTF8Identifier: false, throwOnInvalidBytes: true);
@@ -12,7 +12,7 @@ public static class SourceText
     /// <summary>GB18030, of which GBK and GB2312 are parts.</summary>
     public static Encoding Gbk => Encoding.GetEncoding("GB18030");
 
-    /// <summary>The text, and the name of the encoding that was found: by its mark, else UTF-8 where it is that, else GBK.</summary>
+    /// <summary>The text, and the name of its encoding: by its byte order mark, else UTF-8 where it is valid, else GBK.</summary>
     public static (string Text, string Encoding) Decode(byte[] bytes)
     {
         if (bytes is [0xEF, 0xBB, 0xBF, ..])
@@ -36,7 +36,7 @@ public static class SourceText
         }
     }
 
-    // without a mark: the ASCII of a program leaves every other byte zero
+    // without a mark: in UTF-16 every other byte of a program's ASCII is zero
     private static int Zeros(byte[] bytes, int from)
     {
         int zeros = 0;

@@ -3,13 +3,13 @@ using Microsoft.CodeAnalysis.CSharp;
 
 namespace RigidBodyDynamics.StudentScripts;
 
-/// <summary>One token of a source text, without what stands round it.</summary>
-/// <param name="Kind">What it is, as the compiler calls it.</param>
-/// <param name="Text">As it is written.</param>
+/// <summary>One token of a source text, without the trivia around it.</summary>
+/// <param name="Kind">Its kind in the compiler.</param>
+/// <param name="Text">As written.</param>
 /// <param name="Line">Its line, from 1.</param>
 public readonly record struct Token(string Kind, string Text, int Line)
 {
-    /// <summary>A name, which one who copies changes first.</summary>
+    /// <summary>True for a name, which a copy usually changes first.</summary>
     public bool IsName => Kind == nameof(SyntaxKind.IdentifierToken);
 }
 

@@ -1,4 +1,4 @@
 namespace RigidBodyDynamics.Web;
 
-/// <summary>What the user must mend first; its message is the one line that he reads.</summary>
+/// <summary>An error that the user must correct first; its message is one line for the user.</summary>
 internal sealed class RefusedException(string message) : Exception(message);

@@ -1,8 +1,8 @@
 namespace RigidBodyDynamics.Engine
 {
     /// <summary>
-    /// How frames become fixed steps: a frame adds its length, times the time scale, to what is owed, and as many fixed steps are
-    /// done as fit.
+    /// Divides frames into fixed steps: a frame adds its length, times the time scale, to a balance, from which as many fixed steps are
+    /// taken as fit.
     /// </summary>
     internal static class Clock
     {
@@ -38,7 +38,7 @@ namespace RigidBodyDynamics.Engine
             IsInFixedStep = false;
         }
 
-        /// <summary>Says what time it is, in place of counting it.</summary>
+        /// <summary>Sets the time, instead of counting it.</summary>
         public static void Set(double time, double frameLength, double fixedStep, int frame, bool isInFixedStep)
         {
             FixedDeltaTime = (float)fixedStep;
@@ -58,7 +58,7 @@ namespace RigidBodyDynamics.Engine
             _owed += FrameLength;
         }
 
-        /// <summary>Begins the next fixed step if one is owed.</summary>
+        /// <summary>Begins the next fixed step if one is due.</summary>
         public static bool BeginFixedStep()
         {
             IsInFixedStep = TimeScale > 0 && _owed >= FixedDeltaTime;

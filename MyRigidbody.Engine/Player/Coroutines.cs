@@ -6,8 +6,8 @@ using UnityEngine;
 namespace RigidBodyDynamics.Engine
 {
     /// <summary>
-    /// What goes on over many fixed steps. As in Unity it ends with its script and where its object is switched off, and not where its
-    /// script is.
+    /// Coroutines over many fixed steps. As in Unity one ends with its script and where its object is deactivated, but not where its
+    /// script is disabled.
     /// </summary>
     internal static class Coroutines
     {
@@ -23,7 +23,7 @@ namespace RigidBodyDynamics.Engine
 
         public static void Stop(Coroutine routine) => Running.Remove(routine);
 
-        /// <summary>By what it was started with; nothing where this script runs no such thing.</summary>
+        /// <summary>The running routine of a script that was started with this enumerator; does nothing where there is none.</summary>
         public static void Stop(MonoBehaviour owner, IEnumerator routine) =>
             Running.RemoveAll(running => ReferenceEquals(running.Owner, owner) && ReferenceEquals(running.Routine, routine));
 
@@ -31,7 +31,7 @@ namespace RigidBodyDynamics.Engine
 
         public static void Reset() => Running.Clear();
 
-        /// <summary>A fixed step is done, the engine's physics too.</summary>
+        /// <summary>Called after a fixed step and the engine's physics.</summary>
         public static void AfterFixedStep()
         {
             Running.RemoveAll(routine => !routine.Owner || !routine.Owner.gameObject.activeInHierarchy);

@@ -5,7 +5,7 @@ using UnityEngine;
 
 namespace RigidBodyDynamics.Engine
 {
-    /// <summary>The immediate-mode GUI: sends its events to every OnGUI, notes what was drawn, and clicks for a test.</summary>
+    /// <summary>The immediate-mode GUI: sends its events to every OnGUI, records what is drawn, and clicks for a test.</summary>
     public static partial class Gui
     {
         private const string Row = "row";
@@ -17,16 +17,16 @@ namespace RigidBodyDynamics.Engine
         private static string _click, _held;
         private static int _choice;
 
-        /// <summary>What the last frame drew: button, toggle, label … and what stands on it.</summary>
+        /// <summary>The controls of the last frame: button, toggle, label … and its text.</summary>
         public static IReadOnlyList<(string Kind, string Text)> Drawn => _drawn;
 
         /// <summary>The texts of the last frame.</summary>
         public static IEnumerable<string> Texts => _drawn.Select(control => control.Text);
 
-        /// <summary>The same by rows, one below the other.</summary>
+        /// <summary>The same by rows, from top to bottom.</summary>
         public static IEnumerable<IReadOnlyList<(string Kind, string Text)>> Rows => _rows;
 
-        /// <summary>Where the last area was drawn, in pixels of the window.</summary>
+        /// <summary>The rectangle of the last area, in pixels of the window.</summary>
         public static Rect DrawnArea { get; private set; }
 
         internal static Rect Area
@@ -36,13 +36,13 @@ namespace RigidBodyDynamics.Engine
 
         internal static bool HasChanged { get; set; }
 
-        /// <summary>Clicks on the button or toggle with a text, at once.</summary>
+        /// <summary>Clicks the button or toggle with a text, at once.</summary>
         public static void Click(string text) => ClickOrChoose(text, 0);
 
-        /// <summary>Takes an entry of the menu with a label.</summary>
+        /// <summary>Chooses an entry of the menu with a label.</summary>
         public static void Choose(string label, int entry) => ClickOrChoose(label, entry);
 
-        /// <summary>Keeps the mouse down on the button with a text; null lets go.</summary>
+        /// <summary>Holds the mouse on the button with a text; null releases it.</summary>
         public static void HoldDown(string text) => _held = text;
 
         internal static void Reset()
@@ -78,7 +78,7 @@ namespace RigidBodyDynamics.Engine
             _rows[_rows.Count - 1].Add((kind, text));
         }
 
-        /// <summary>A control that can; true in the event that clicks it.</summary>
+        /// <summary>A control that can be clicked; true in the event that clicks it.</summary>
         internal static bool Clickable(string kind, string text)
         {
             Control(kind, text);
@@ -91,10 +91,10 @@ namespace RigidBodyDynamics.Engine
             return true;
         }
 
-        /// <summary>A menu: the entry taken, or the one it has.</summary>
+        /// <summary>A menu: the chosen entry, or the present one.</summary>
         internal static int Menu(string text, int selected) => Clickable("menu", text) ? _choice : selected;
 
-        /// <summary>While it is painted, such a button says whether it is held.</summary>
+        /// <summary>A repeat button, which says while it is painted whether it is held.</summary>
         internal static bool Holdable(string text)
         {
             Control("repeat button", text);
@@ -150,7 +150,7 @@ namespace RigidBodyDynamics.Engine
             }
         }
 
-        // Unity lays out before every other event
+        // Unity sends a Layout event before every other event
         private static void Send(Event then, object owner, Action draw)
         {
             if (!Layouts.TryGetValue(owner, out _layout))

@@ -3,13 +3,13 @@ namespace RigidBodyDynamics.Engine
     /// <summary>The scenes of a project.</summary>
     internal interface IScenes
     {
-        /// <summary>Where the project has a scene of that name.</summary>
+        /// <summary>The path of the scene with that name in the project.</summary>
         string PathOf(string scene);
 
         /// <summary>A path of the project, which begins with Assets.</summary>
         string InProject(string path);
 
-        /// <summary>Makes the objects of a scene file, then wakes them.</summary>
+        /// <summary>Creates the objects of a scene file, then wakes them.</summary>
         void Load(string path);
     }
 }

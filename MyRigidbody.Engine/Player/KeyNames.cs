@@ -4,7 +4,7 @@ using UnityEngine;
 
 namespace RigidBodyDynamics.Engine
 {
-    /// <summary>Keys by the names that the engine has for them: "r", "left", "space", "left shift" …</summary>
+    /// <summary>Keys by the engine's names: "r", "left", "space", "left shift" …</summary>
     internal static class KeyNames
     {
         private static readonly Dictionary<string, KeyCode> Special = new Dictionary<string, KeyCode>

@@ -4,20 +4,20 @@ using UnityEngine;
 
 namespace RigidBodyDynamics.Engine
 {
-    /// <summary>The keyboard. Who holds it may change its mind between frames.</summary>
+    /// <summary>The keyboard. Keys change between frames.</summary>
     public static class Keys
     {
         private static readonly HashSet<KeyCode> Down = new HashSet<KeyCode>(), Begun = new HashSet<KeyCode>(), Ended = new HashSet<KeyCode>();
         private static readonly List<(KeyCode Key, bool IsDown)> Changes = new List<(KeyCode, bool)>();
 
-        /// <summary>Called when a script asks for a key, before it has its answer.</summary>
+        /// <summary>Called when a script reads a key, before the answer.</summary>
         internal static Action<KeyCode> Asked { get; set; }
 
         internal static bool IsAnyDown => Down.Count > 0;
 
         internal static bool HasAnyBegun => Begun.Count > 0;
 
-        /// <summary>Presses a key, or lets it go.</summary>
+        /// <summary>Presses or releases a key.</summary>
         public static void Hold(KeyCode key, bool isDown)
         {
             if (!(isDown ? Down.Add(key) : Down.Remove(key)))
@@ -32,7 +32,7 @@ namespace RigidBodyDynamics.Engine
         /// <summary>True in the frame in which it was pressed.</summary>
         internal static bool HasBegun(KeyCode key) => Ask(Begun, key);
 
-        /// <summary>True in the frame in which it was let go.</summary>
+        /// <summary>True in the frame in which it was released.</summary>
         internal static bool HasEnded(KeyCode key) => Ask(Ended, key);
 
         internal static void EndFrame()
@@ -49,7 +49,7 @@ namespace RigidBodyDynamics.Engine
             EndFrame();
         }
 
-        /// <summary>What happened since this was asked last.</summary>
+        /// <summary>The changes since the last call.</summary>
         internal static (KeyCode Key, bool IsDown)[] TakeChanges()
         {
             (KeyCode, bool)[] taken = Changes.ToArray();

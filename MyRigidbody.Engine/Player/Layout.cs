@@ -5,8 +5,8 @@ using UnityEngine;
 namespace RigidBodyDynamics.Engine
 {
     /// <summary>
-    /// What GUILayout keeps of a Layout event for the event after it: groups and how many controls each has. A control that was
-    /// not laid out is an error there as in Unity; after a control has used the event, nothing is.
+    /// What GUILayout stores of a Layout event for the event after it: groups and the number of controls in each. A control that was
+    /// not laid out is an error there as in Unity; after a control has used the event, nothing is tested.
     /// </summary>
     internal sealed class Layout
     {
@@ -24,7 +24,7 @@ namespace RigidBodyDynamics.Engine
             _open.Push(_root);
         }
 
-        /// <summary>Ends it; what is open now should have been closed.</summary>
+        /// <summary>Ends it; a group that is still open is an error.</summary>
         public void End()
         {
             if (_open.Count > 1)

@@ -6,7 +6,7 @@ using UnityEngine;
 
 namespace RigidBodyDynamics.Engine
 {
-    /// <summary>Finds a script's messages by their names, private ones too, and calls them as Unity does.</summary>
+    /// <summary>Finds a script's messages by name, including private ones, and calls them as Unity does.</summary>
     internal static class Messages
     {
         private const BindingFlags Own = BindingFlags.Instance | BindingFlags.Public | BindingFlags.NonPublic | BindingFlags.DeclaredOnly;
@@ -23,12 +23,12 @@ namespace RigidBodyDynamics.Engine
 
         private static readonly Dictionary<(Type, string), MethodInfo> Found = new Dictionary<(Type, string), MethodInfo>();
 
-        /// <summary>True where who plays wants to see what a script throws.</summary>
+        /// <summary>True where exceptions of a script are passed to the caller.</summary>
         public static bool ExceptionsPass { get; set; }
 
         public static bool Has(MonoBehaviour script, string message) => Find(script.GetType(), message) != null;
 
-        /// <summary>An exception goes to the console, and the game goes on.</summary>
+        /// <summary>An exception is written to the console, and the game continues.</summary>
         public static void Send(MonoBehaviour script, string message, params object[] arguments)
         {
             try
@@ -44,7 +44,7 @@ namespace RigidBodyDynamics.Engine
             }
         }
 
-        // most messages are sent in every frame: the method is looked up once, and called without reflection where it can be
+        // most messages are sent in every frame: the method is looked up once, and called without reflection where possible
         private static Action CallOf(MonoBehaviour script, string message)
         {
             if (script.Calls.TryGetValue(message, out Action call))
@@ -66,14 +66,14 @@ namespace RigidBodyDynamics.Engine
                 Send(script, "OnValidate");
         }
 
-        /// <summary>What scripts have called when the game begins.</summary>
+        /// <summary>Calls the methods that scripts have marked for the start of the game.</summary>
         public static void CallInitializers()
         {
             foreach (MethodInfo method in Initializers.Value)
                 method.Invoke(null, null);
         }
 
-        /// <summary>Forgets the scripts of a world that has ended: their assemblies may go.</summary>
+        /// <summary>Forgets the scripts of an ended world, so that their assemblies can be unloaded.</summary>
         public static void Forget() => Found.Clear();
 
         internal static MethodInfo Find(Type type, string message)

@@ -4,12 +4,12 @@ using UnityEngine;
 namespace RigidBodyDynamics.Engine
 {
     /// <summary>
-    /// The motion of a Rigidbody: the rule that repeats recorded PhysX motions bit for bit. A script's change is taken over with
-    /// the next step.
+    /// The motion of a Rigidbody by UnityRigidbody, which repeats recorded PhysX motions bit for bit. A change by a script takes effect
+    /// in the next step.
     /// </summary>
     internal sealed class PhysicsBody
     {
-        // what PhysX gives a body that has just been woken, s
+        // the wake counter of a body that PhysX has just woken, s
         private const double Awake = 0.4f;
 
         private UnityRigidbody<ToSingle> _rule;
@@ -28,10 +28,10 @@ namespace RigidBodyDynamics.Engine
 
         public bool IsAsleep { get; private set; }
 
-        /// <summary>A setting is another now.</summary>
+        /// <summary>Called when a setting has changed.</summary>
         public void Change() => _isChanged = true;
 
-        /// <summary>The pose it has as long as nothing has set one.</summary>
+        /// <summary>Sets the first pose.</summary>
         public void Begin(Vector3 position, Quaternion rotation)
         {
             if (_hasBegun)
@@ -66,17 +66,17 @@ namespace RigidBodyDynamics.Engine
             WakeUp();
         }
 
-        /// <summary>What is added acts in the next step, once.</summary>
+        /// <summary>Adds force and torque for the next step only.</summary>
         public void Push(Vector3 force, Vector3 torque)
         {
             _force += force;
             _torque += torque;
         }
 
-        /// <summary>Adds an impulse, N s, which the next step gives to the body, however long it is.</summary>
+        /// <summary>Adds an impulse, N s, for the next step, whatever its length.</summary>
         public void Kick(Vector3 impulse) => _impulse += impulse;
 
-        /// <summary>What was added since the last step does not act.</summary>
+        /// <summary>Drops forces and impulses added since the last step.</summary>
         public void ForgetPushes() => _force = _torque = _impulse = Vector3.zero;
 
         public void WakeUp()
@@ -121,7 +121,7 @@ namespace RigidBodyDynamics.Engine
             _wakeCounter = _rule.WakeCounter;
         }
 
-        /// <summary>What scripts push with in one step.</summary>
+        /// <summary>The forces and torques of scripts in one step.</summary>
         private readonly struct Pushed : IPush
         {
             private readonly Vector3d _force, _torque;
@@ -144,7 +144,7 @@ namespace RigidBodyDynamics.Engine
         }
     }
 
-    /// <summary>Between the engine's numbers and the library's.</summary>
+    /// <summary>Conversions between the engine's numbers and the library's.</summary>
     internal static class Conversions
     {
         public static Vector3d Exact(this Vector3 v) => new Vector3d(v.x, v.y, v.z);

@@ -5,10 +5,10 @@ using UnityEngine;
 
 namespace RigidBodyDynamics.Engine
 {
-    /// <summary>Where in a frame the game is.</summary>
+    /// <summary>A moment of a frame.</summary>
     public enum Moment
     {
-        /// <summary>A fixed step is done, the engine's physics too.</summary>
+        /// <summary>After a fixed step and the engine's physics.</summary>
         AfterFixedStep,
 
         /// <summary>Every Update has been called.</summary>
@@ -18,21 +18,21 @@ namespace RigidBodyDynamics.Engine
         AfterFrame,
     }
 
-    /// <summary>Plays: frames of any length, each in Unity's order.</summary>
+    /// <summary>Plays frames of any length, each in Unity's order.</summary>
     public static class Player
     {
         private const double UsualFrame = 1.0 / 60;
 
-        /// <summary>One frame of so many seconds.</summary>
+        /// <summary>Plays one frame of a length in seconds.</summary>
         public static void Frame(double seconds)
         {
             foreach (Moment moment in Moments(seconds))
                 _ = moment;
         }
 
-        /// <summary>One frame, with a stop at each of its moments.</summary>
+        /// <summary>Plays one frame, with a stop at each of its moments.</summary>
         /// <param name="seconds">Its length.</param>
-        /// <param name="beforeScripts">Called before every FixedUpdate and Update of all scripts: who holds keys by the game's time.</param>
+        /// <param name="beforeScripts">Called before every FixedUpdate and Update of all scripts, to hold keys by the game's time.</param>
         public static IEnumerable<Moment> Moments(double seconds, Action beforeScripts = null)
         {
             World.LoadIfDue();
@@ -67,7 +67,7 @@ namespace RigidBodyDynamics.Engine
         /// <summary>The window gets or loses the keyboard.</summary>
         public static void Focus(bool hasFocus) => Tell("OnApplicationFocus", hasFocus);
 
-        /// <summary>The game is paused by the system, or goes on.</summary>
+        /// <summary>The system pauses or resumes the game.</summary>
         public static void Pause(bool isPaused) => Tell("OnApplicationPause", isPaused);
 
         /// <summary>Runs a test that waits: null for the next frame, WaitForFixedUpdate for the next fixed step.</summary>
@@ -102,7 +102,7 @@ namespace RigidBodyDynamics.Engine
                 : awaited is WaitForFixedUpdate ? Moment.AfterFixedStep
                 : throw new NotSupportedException("a test cannot wait for " + awaited);
 
-            // a minute of frames: where time stands still no fixed step comes
+            // at most so many frames: while the time scale is zero no fixed step comes
             for (int i = 0; i < 10000; i++)
             {
                 time.MoveNext();

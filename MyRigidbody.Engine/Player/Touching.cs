@@ -5,21 +5,21 @@ using UnityEngine;
 namespace RigidBodyDynamics.Engine
 {
     /// <summary>
-    /// Which bodies an engine would let collide. The stand-in knows no contacts: bodies go through each other here, so a motion in which two of them would touch
-    /// is not Unity's. Seen by the boxes along the axes round their colliders, so somewhat too early.
+    /// Finds bodies that would collide in an engine. The stand-in has no contacts: bodies pass through each other, so a motion in which two of them
+    /// would touch is not Unity's. It tests axis-aligned boxes of their colliders, and so finds contacts somewhat too early.
     /// </summary>
     public static class Touching
     {
         private static readonly HashSet<(Collider, Collider)> Ignored = new HashSet<(Collider, Collider)>();
         private static readonly List<string> Found = new List<string>();
 
-        /// <summary>True while somebody wants to know.</summary>
+        /// <summary>True while contacts are searched.</summary>
         public static bool IsWatched { get; set; }
 
         /// <summary>The pairs that have touched, by name, each once.</summary>
         public static IReadOnlyList<string> Pairs => Found;
 
-        /// <summary>True where a test is about bodies that touch.</summary>
+        /// <summary>True where a test expects bodies to touch.</summary>
         public static bool IsExpected { get; set; }
 
         internal static void Reset()
@@ -67,7 +67,7 @@ namespace RigidBodyDynamics.Engine
         {
             Rigidbody bodyA = a.GetComponentInParent<Rigidbody>(), bodyB = b.GetComponentInParent<Rigidbody>();
             string pair = a.name + " and " + b.name;
-            // what has no Rigidbody does not move, and parts of one body do not collide
+            // an object without a Rigidbody does not move, and parts of one body do not collide
             if (bodyA != bodyB && !Ignored.Contains((a, b)) && !Found.Contains(pair) && Overlap(a, b))
                 Found.Add(pair);
         }

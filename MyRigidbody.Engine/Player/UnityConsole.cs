@@ -5,7 +5,7 @@ using UnityEngine;
 
 namespace RigidBodyDynamics.Engine
 {
-    /// <summary>What was written to Unity's console, and what a test expects to find there.</summary>
+    /// <summary>The lines of Unity's console, and those that a test expects.</summary>
     public static class UnityConsole
     {
         private const int MostLines = 100_000;
@@ -16,7 +16,7 @@ namespace RigidBodyDynamics.Engine
         /// <summary>True if errors do not make a test fail.</summary>
         public static bool IgnoresErrors { get; set; }
 
-        /// <summary>Everything written, in its order.</summary>
+        /// <summary>All lines, in order.</summary>
         public static IReadOnlyList<(LogType Type, string Text)> Lines => Written;
 
         internal static void Clear()
@@ -26,7 +26,7 @@ namespace RigidBodyDynamics.Engine
             IgnoresErrors = false;
         }
 
-        // a script that writes for ever does not fill the memory
+        // limited, so that a script in an endless loop does not fill the memory
         internal static void Write(LogType type, object message)
         {
             if (Written.Count < MostLines && Debug.unityLogger.logEnabled)
@@ -35,7 +35,7 @@ namespace RigidBodyDynamics.Engine
 
         internal static void Expect(LogType type, Regex text) => Expected.Add((type, text));
 
-        /// <summary>What makes a test fail: errors that nobody expected, and expectations that were not met; null if nothing.</summary>
+        /// <summary>The reason why a test fails: unexpected errors, or expected lines that did not come; null if there is none.</summary>
         internal static string Fault()
         {
             List<(LogType Type, string Text)> left = Written.ToList();

@@ -6,7 +6,7 @@ using UnityEngine;
 
 namespace RigidBodyDynamics.Engine
 {
-    /// <summary>All that exists: a new one for every test.</summary>
+    /// <summary>All objects: a new world for every test.</summary>
     public static class World
     {
         private static readonly List<Object> Doomed = new List<Object>();
@@ -18,23 +18,23 @@ namespace RigidBodyDynamics.Engine
         /// <summary>The name of the scene; empty if none has been loaded.</summary>
         public static string SceneName { get; private set; }
 
-        /// <summary>Where the program may write; gone with the next world.</summary>
+        /// <summary>The folder to which the program may write; deleted with the world.</summary>
         public static string Folder { get; private set; }
 
         public static int ScreenWidth { get; set; }
 
         public static int ScreenHeight { get; set; }
 
-        /// <summary>What the system speaks.</summary>
+        /// <summary>The language of the system.</summary>
         public static SystemLanguage Language { get; set; } = SystemLanguage.English;
 
-        /// <summary>Where scenes come from; null where there are none.</summary>
+        /// <summary>The scenes; null where there are none.</summary>
         internal static IScenes Scenes { get; set; }
 
         /// <summary>The objects, in the order of the hierarchy.</summary>
         internal static List<GameObject> Objects { get; } = new List<GameObject>();
 
-        /// <summary>The scripts, by their order of execution, and those of one order as they came to be.</summary>
+        /// <summary>The scripts in their order of execution, those of equal order by creation.</summary>
         internal static List<MonoBehaviour> Scripts { get; } = new List<MonoBehaviour>();
 
         /// <summary>An empty world, in play mode or in the editor.</summary>
@@ -57,7 +57,7 @@ namespace RigidBodyDynamics.Engine
                 Messages.CallInitializers();
         }
 
-        /// <summary>Ends whatever is left, without a word to its scripts.</summary>
+        /// <summary>Destroys all objects, without messages to their scripts.</summary>
         public static void End()
         {
             foreach (GameObject left in Objects)
@@ -72,7 +72,7 @@ namespace RigidBodyDynamics.Engine
                 Directory.Delete(Folder, recursive: true);
         }
 
-        /// <summary>True while the objects of a scene are made and woken.</summary>
+        /// <summary>True while the objects of a scene are created and woken.</summary>
         internal static bool IsLoading { get; private set; }
 
         internal static void Add(Object made)
@@ -139,7 +139,7 @@ namespace RigidBodyDynamics.Engine
             Load(name, (Scenes ?? throw new FileNotFoundException("Scene '" + name + "' couldn't be loaded")).PathOf(name));
         }
 
-        /// <summary>Puts a scene in place of the present one.</summary>
+        /// <summary>Replaces the present scene.</summary>
         internal static void Load(string name, string path)
         {
             foreach (GameObject root in Objects.Where(o => o.transform.parent == null && !o.Survives).ToArray())

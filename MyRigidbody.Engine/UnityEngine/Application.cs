@@ -14,7 +14,7 @@ namespace UnityEngine
 
         public static SystemLanguage systemLanguage => World.Language;
 
-        /// <summary>Nothing here: what has begun is ended by who began it.</summary>
+        /// <summary>Does nothing: the caller of the player ends the game.</summary>
         public static void Quit() { }
 
         public static string unityVersion =>
@@ -35,7 +35,7 @@ namespace UnityEngine
         public static string temporaryCachePath => Path.Combine(World.Folder, "temporary");
     }
 
-    /// <summary>Languages of a system; of many, those that matter here.</summary>
+    /// <summary>Languages of a system, as far as they matter here.</summary>
     public enum SystemLanguage
     {
         Chinese = 6,

@@ -2,11 +2,11 @@ using System;
 
 namespace UnityEngine
 {
-    /// <summary>The base of what the inspector reads.</summary>
+    /// <summary>The base of attributes for the inspector.</summary>
     [AttributeUsage(AttributeTargets.Field, AllowMultiple = false)]
     public abstract class PropertyAttribute : Attribute { }
 
-    /// <summary>What the inspector says of a field.</summary>
+    /// <summary>The inspector's text for a field.</summary>
     [AttributeUsage(AttributeTargets.Field, AllowMultiple = false)]
     public class TooltipAttribute : PropertyAttribute
     {
@@ -28,7 +28,7 @@ namespace UnityEngine
     [AttributeUsage(AttributeTargets.Field)]
     public sealed class SerializeField : Attribute { }
 
-    /// <summary>A part that is added with this one.</summary>
+    /// <summary>A component that is added with this one.</summary>
     [AttributeUsage(AttributeTargets.Class, AllowMultiple = true)]
     public sealed class RequireComponent : Attribute
     {
@@ -40,11 +40,11 @@ namespace UnityEngine
         public RequireComponent(Type requiredComponent, Type requiredComponent2) : this(requiredComponent) => m_Type1 = requiredComponent2;
     }
 
-    /// <summary>Once on an object.</summary>
+    /// <summary>At most one on an object.</summary>
     [AttributeUsage(AttributeTargets.Class, Inherited = false)]
     public sealed class DisallowMultipleComponent : Attribute { }
 
-    /// <summary>Where the menu has it.</summary>
+    /// <summary>The place of a component in the menu.</summary>
     [AttributeUsage(AttributeTargets.Class)]
     public sealed class AddComponentMenu : Attribute
     {
@@ -64,7 +64,7 @@ namespace UnityEngine
         public RuntimeInitializeLoadType loadType { get; }
     }
 
-    /// <summary>When it is called: first SubsystemRegistration, then AfterAssembliesLoaded, BeforeSplashScreen, BeforeSceneLoad, AfterSceneLoad.</summary>
+    /// <summary>The time of the call: first SubsystemRegistration, then AfterAssembliesLoaded, BeforeSplashScreen, BeforeSceneLoad, AfterSceneLoad.</summary>
     public enum RuntimeInitializeLoadType
     {
         AfterSceneLoad,
@@ -120,15 +120,15 @@ namespace UnityEngine
     [AttributeUsage(AttributeTargets.Field)]
     public sealed class HideInInspector : Attribute { }
 
-    /// <summary>A script that runs in the editor too.</summary>
+    /// <summary>A script that also runs in the editor.</summary>
     [AttributeUsage(AttributeTargets.Class)]
     public sealed class ExecuteInEditMode : Attribute { }
 
-    /// <summary>A script that runs in the editor too.</summary>
+    /// <summary>A script that also runs in the editor.</summary>
     [AttributeUsage(AttributeTargets.Class)]
     public sealed class ExecuteAlways : Attribute { }
 
-    /// <summary>When its messages come, beside those of other scripts.</summary>
+    /// <summary>The order of its messages among those of other scripts.</summary>
     [AttributeUsage(AttributeTargets.Class)]
     public sealed class DefaultExecutionOrder : Attribute
     {

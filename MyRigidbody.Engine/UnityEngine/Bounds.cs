@@ -11,7 +11,7 @@ namespace UnityEngine
 
         public Vector3 center { get; set; }
 
-        /// <summary>Half of its edges.</summary>
+        /// <summary>Half of the edges.</summary>
         public Vector3 extents { get; set; }
 
         public Vector3 size { get => extents * 2; set => extents = value * 0.5f; }
@@ -20,7 +20,7 @@ namespace UnityEngine
 
         public Vector3 max => center + extents;
 
-        /// <summary>The box round points.</summary>
+        /// <summary>The bounding box of points.</summary>
         internal static Bounds Round(Vector3[] points)
         {
             if (points.Length == 0)

@@ -5,7 +5,7 @@ using RigidBodyDynamics.Engine;
 
 namespace UnityEngine
 {
-    /// <summary>A part of an object.</summary>
+    /// <summary>A component of an object.</summary>
     public class Component : Object
     {
         public GameObject gameObject { get; internal set; }
@@ -34,11 +34,11 @@ namespace UnityEngine
 
         public T[] GetComponentsInChildren<T>(bool includeInactive) => gameObject.GetComponentsInChildren<T>(includeInactive);
 
-        /// <summary>Calls a method of every script on the object, private ones too.</summary>
+        /// <summary>Calls a method of every script on the object, including private ones.</summary>
         public void SendMessage(string methodName) => gameObject.SendMessage(methodName);
     }
 
-    /// <summary>A part that can be switched off.</summary>
+    /// <summary>A component that can be disabled.</summary>
     public class Behaviour : Component
     {
         private bool _enabled = true;
@@ -53,13 +53,13 @@ namespace UnityEngine
             }
         }
 
-        /// <summary>The switch as it is saved; no message is sent.</summary>
+        /// <summary>Sets whether it is enabled, without a message, as when a scene is loaded.</summary>
         internal bool IsSwitchedOn { set => _enabled = value; }
 
         public bool isActiveAndEnabled => !IsDestroyed && _enabled && gameObject.activeInHierarchy;
     }
 
-    /// <summary>A script. Unity finds its messages by their names.</summary>
+    /// <summary>A script. Unity finds its messages by name.</summary>
     public class MonoBehaviour : Behaviour
     {
         private bool _isAwake, _isSwitchingOn, _isOn, _isStarted;
@@ -72,7 +72,7 @@ namespace UnityEngine
         /// <summary>Writes to the console.</summary>
         public static void print(object message) => Debug.Log(message);
 
-        /// <summary>Runs to the first yield, and goes on after each fixed step: it may wait for nothing else here.</summary>
+        /// <summary>Runs to the first yield, and continues after each fixed step: it can wait for nothing else here.</summary>
         public Coroutine StartCoroutine(IEnumerator routine) => Coroutines.Start(this, routine);
 
         public Coroutine StartCoroutine(string methodName) => throw NotHere(nameof(StartCoroutine));
@@ -99,7 +99,7 @@ namespace UnityEngine
 
         public bool IsInvoking(string methodName) => false;
 
-        /// <summary>Awake and OnEnable or OnDisable, if one of them is due.</summary>
+        /// <summary>Sends Awake, and OnEnable or OnDisable, if due.</summary>
         internal void Settle()
         {
             if (!World.IsPlaying || IsDestroyed || _isSwitchingOn)
@@ -107,7 +107,7 @@ namespace UnityEngine
 
             if (!_isAwake && gameObject.activeInHierarchy)
             {
-                // a script may switch itself off in Awake, and is then never switched on
+                // a script may disable itself in Awake, and is then not enabled
                 _isAwake = _isSwitchingOn = true;
                 Messages.Send(this, "Awake");
                 _isSwitchingOn = false;
@@ -121,7 +121,7 @@ namespace UnityEngine
             Messages.Send(this, isDue ? "OnEnable" : "OnDisable");
         }
 
-        /// <summary>Start, once, before the first frame in which it is switched on.</summary>
+        /// <summary>Sends Start, once, before the first frame in which it is enabled.</summary>
         internal void StartIfDue()
         {
             if (_isStarted || !_isOn)
@@ -131,7 +131,7 @@ namespace UnityEngine
             Messages.Send(this, "Start");
         }
 
-        /// <summary>The last messages.</summary>
+        /// <summary>Sends the last messages.</summary>
         internal void End()
         {
             if (_isOn)

@@ -58,7 +58,7 @@ namespace UnityEngine
         public static void LogException(Exception exception, Object context) => UnityConsole.Write(LogType.Exception, exception);
     }
 
-    /// <summary>What a line of the console is.</summary>
+    /// <summary>The kind of a line of the console.</summary>
     public enum LogType
     {
         Error,
@@ -68,7 +68,7 @@ namespace UnityEngine
         Exception,
     }
 
-    /// <summary>What decides whether something is written to the console.</summary>
+    /// <summary>Decides whether a line is written to the console.</summary>
     public interface ILogger
     {
         bool logEnabled { get; set; }

@@ -2,7 +2,7 @@ using System;
 
 namespace UnityEngine
 {
-    /// <summary>Inverse and determinant of a matrix by Gauss and Jordan, the largest element of a column first.</summary>
+    /// <summary>Inverse and determinant of a matrix by Gauss–Jordan elimination with partial pivoting.</summary>
     internal static class Elimination
     {
         private const int Size = 4;
@@ -18,7 +18,7 @@ namespace UnityEngine
 
         public static double Determinant(Matrix4x4 matrix) => Eliminate(Rows(matrix), new double[Size * Size]);
 
-        // row by row; left becomes the identity, right the inverse; the determinant, at 0 of which it stops
+        // left becomes the identity, right the inverse; returns the determinant, and stops where it is 0
         private static double Eliminate(double[] left, double[] right)
         {
             double determinant = 1, least = Rounding * Largest(left);

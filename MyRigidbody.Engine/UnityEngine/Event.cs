@@ -1,6 +1,6 @@
 namespace UnityEngine
 {
-    /// <summary>What the immediate-mode GUI is told.</summary>
+    /// <summary>An event of the immediate-mode GUI.</summary>
     public sealed class Event
     {
         public static Event current { get; set; }
@@ -12,7 +12,7 @@ namespace UnityEngine
         public void Use() => type = EventType.Used;
     }
 
-    /// <summary>What has happened, with Unity's numbers.</summary>
+    /// <summary>The kind of an event, with Unity's numbers.</summary>
     public enum EventType
     {
         MouseDown = 0,

@@ -2,7 +2,7 @@ using RigidBodyDynamics.Engine;
 
 namespace UnityEngine
 {
-    /// <summary>Controls that find their places themselves.</summary>
+    /// <summary>Controls that are laid out automatically.</summary>
     public class GUILayout
     {
         public static void Label(string text, params GUILayoutOption[] options) => Gui.Control("label", text);
@@ -40,13 +40,13 @@ namespace UnityEngine
         public static GUILayoutOption Width(float width) => new GUILayoutOption();
     }
 
-    /// <summary>How large a control wants to be.</summary>
+    /// <summary>The size of a control.</summary>
     public sealed class GUILayoutOption
     {
         internal GUILayoutOption() { }
     }
 
-    /// <summary>What stands on a control.</summary>
+    /// <summary>The text of a control.</summary>
     public class GUIContent
     {
         public GUIContent(string text, string tooltip)
@@ -60,16 +60,16 @@ namespace UnityEngine
         public string tooltip { get; set; }
     }
 
-    /// <summary>How a control looks.</summary>
+    /// <summary>The style of a control.</summary>
     public sealed class GUIStyle { }
 
-    /// <summary>The looks of all controls.</summary>
+    /// <summary>The styles of all controls.</summary>
     public sealed class GUISkin
     {
         public GUIStyle box { get; } = new GUIStyle();
     }
 
-    /// <summary>What holds for all controls drawn after it.</summary>
+    /// <summary>Settings for all controls drawn after it.</summary>
     public class GUI
     {
         public static Color color { get; set; }
@@ -82,7 +82,7 @@ namespace UnityEngine
 
         public static void Label(Rect position, string text) => Gui.Control("tag", text);
 
-        /// <summary>What holds until the end of a using block.</summary>
+        /// <summary>A setting until the end of a using block.</summary>
         public abstract class Scope : System.IDisposable
         {
             public void Dispose() => CloseScope();

@@ -6,7 +6,7 @@ using UnityEngine.SceneManagement;
 
 namespace UnityEngine
 {
-    /// <summary>An object of the scene: a transform and whatever else it has.</summary>
+    /// <summary>An object of the scene: a transform and other components.</summary>
     public sealed class GameObject : Object
     {
         private readonly List<Component> _components = new List<Component>();
@@ -39,10 +39,10 @@ namespace UnityEngine
 
         public Scene scene => Survives ? new Scene("DontDestroyOnLoad") : SceneManager.GetActiveScene();
 
-        /// <summary>The parts in their order; null stands for a script that cannot be found.</summary>
+        /// <summary>The components in order; null stands for a script that cannot be found.</summary>
         internal IReadOnlyList<Component> Components => _components;
 
-        /// <summary>True if another scene does not end it.</summary>
+        /// <summary>True if loading another scene does not destroy it.</summary>
         internal bool Survives { get; set; }
 
         public int layer { get; set; }
@@ -56,7 +56,7 @@ namespace UnityEngine
 
         public static GameObject FindGameObjectWithTag(string tag) => FindWithTag(tag);
 
-        /// <summary>An object with a mesh and a collider, as Unity makes it.</summary>
+        /// <summary>An object with a mesh and a collider, as Unity creates it.</summary>
         public static GameObject CreatePrimitive(PrimitiveType type)
         {
             if (type != PrimitiveType.Cube)
@@ -142,7 +142,7 @@ namespace UnityEngine
                 script.Settle();
         }
 
-        /// <summary>Calls a method of every script on the object, private ones too.</summary>
+        /// <summary>Calls a method of every script on the object, including private ones.</summary>
         public void SendMessage(string methodName)
         {
             MonoBehaviour[] receivers = Array.FindAll(GetComponents<MonoBehaviour>(), script => Messages.Has(script, methodName));
@@ -153,7 +153,7 @@ namespace UnityEngine
                 Messages.Send(receiver, methodName);
         }
 
-        /// <summary>Puts a part on the object; no message is sent.</summary>
+        /// <summary>Adds a component to the object, without a message.</summary>
         internal Component Attach(Type type)
         {
             Component added = (Component)Activator.CreateInstance(type, nonPublic: true);
@@ -171,7 +171,7 @@ namespace UnityEngine
             type == typeof(Rigidbody) || type.IsDefined(typeof(DisallowMultipleComponent), inherit: true);
     }
 
-    /// <summary>What <see cref="GameObject.CreatePrimitive"/> can make.</summary>
+    /// <summary>The shapes of <see cref="GameObject.CreatePrimitive"/>.</summary>
     public enum PrimitiveType
     {
         Sphere,

@@ -3,7 +3,7 @@ using RigidBodyDynamics.Engine;
 
 namespace UnityEngine
 {
-    /// <summary>The old input, which throws where a project has the Input System alone. Nobody has a mouse or a joystick.</summary>
+    /// <summary>The old input, which throws in a project that has only the Input System. There is no mouse and no joystick.</summary>
     public static class Input
     {
         public static bool anyKey => Asked(Keys.IsAnyDown);
@@ -26,7 +26,7 @@ namespace UnityEngine
 
         public static bool GetKeyUp(string name) => GetKeyUp(KeyNames.Find(name));
 
-        /// <summary>The arrow keys, and A, D, S, W, as Unity sets them up; at once and not smoothed.</summary>
+        /// <summary>The arrow keys, and A, D, S, W, by Unity's default settings; not smoothed.</summary>
         public static float GetAxisRaw(string axisName)
         {
             switch (axisName)

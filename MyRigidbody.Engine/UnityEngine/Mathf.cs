@@ -12,7 +12,7 @@ namespace UnityEngine
         public const float Deg2Rad = PI * 2 / 360;
         public const float Rad2Deg = 1 / Deg2Rad;
 
-        /// <summary>The least number above zero.</summary>
+        /// <summary>The smallest number above zero.</summary>
         public static readonly float Epsilon = float.Epsilon;
 
         public static float Sin(float f) => (float)Math.Sin(f);
@@ -65,7 +65,7 @@ namespace UnityEngine
 
         public static float Floor(float f) => (float)Math.Floor(f);
 
-        /// <summary>Halves go to the even neighbour.</summary>
+        /// <summary>Halves are rounded to the even neighbour.</summary>
         public static float Round(float f) => (float)Math.Round(f);
 
         public static int CeilToInt(float f) => (int)Math.Ceiling(f);
@@ -74,7 +74,7 @@ namespace UnityEngine
 
         public static int RoundToInt(float f) => (int)Math.Round(f);
 
-        /// <summary>1 for zero too.</summary>
+        /// <summary>1 for zero, too.</summary>
         public static float Sign(float f) => f >= 0 ? 1 : -1;
 
         public static float Clamp(float value, float min, float max) => value < min ? min : value > max ? max : value;
@@ -83,12 +83,12 @@ namespace UnityEngine
 
         public static float Clamp01(float value) => Clamp(value, 0, 1);
 
-        /// <summary>Alike within a millionth of the larger one, or within eight of the least numbers.</summary>
+        /// <summary>Equal within a millionth of the larger one, or within eight of the smallest numbers.</summary>
         public static bool Approximately(float a, float b) => Abs(b - a) < Max(0.000001f * Max(Abs(a), Abs(b)), Epsilon * 8);
 
         public static bool IsPowerOfTwo(int value) => (value & (value - 1)) == 0;
 
-        /// <summary>The least power of two that is not below the value; what Unity gives where there is none.</summary>
+        /// <summary>The smallest power of two that is not below the value; where there is none, Unity's result.</summary>
         public static int NextPowerOfTwo(int value)
         {
             // every bit below the highest of value − 1 is set

@@ -1,13 +1,13 @@
 namespace UnityEngine
 {
-    // between two values, and round the circle
+    // interpolation of values and angles
     public partial struct Mathf
     {
         public static float Lerp(float a, float b, float t) => LerpUnclamped(a, b, Clamp01(t));
 
         public static float LerpUnclamped(float a, float b, float t) => a + (b - a) * t;
 
-        /// <summary>Degrees, the shorter way round.</summary>
+        /// <summary>Degrees, along the shorter arc.</summary>
         public static float LerpAngle(float a, float b, float t) => a + DeltaAngle(a, b) * Clamp01(t);
 
         public static float InverseLerp(float a, float b, float value) => a == b ? 0 : Clamp01((value - a) / (b - a));
@@ -21,7 +21,7 @@ namespace UnityEngine
             return -maxDelta < way && way < maxDelta ? target : MoveTowards(current, current + way, maxDelta);
         }
 
-        /// <summary>3 t² − 2 t³ of the way.</summary>
+        /// <summary>3 t² − 2 t³ between the two.</summary>
         public static float SmoothStep(float from, float to, float t)
         {
             float part = Clamp01(t);
@@ -35,13 +35,13 @@ namespace UnityEngine
             return value < 0 ? -result : result;
         }
 
-        /// <summary>What is left of t after whole lengths.</summary>
+        /// <summary>The remainder of t after whole lengths.</summary>
         public static float Repeat(float t, float length) => Clamp(t - Floor(t / length) * length, 0, length);
 
         /// <summary>Up to the length and back again.</summary>
         public static float PingPong(float t, float length) => length - Abs(Repeat(t, length * 2) - length);
 
-        /// <summary>The shorter way from one angle to another, degrees, −180 to 180.</summary>
+        /// <summary>The shorter rotation from one angle to another, degrees, −180 to 180.</summary>
         public static float DeltaAngle(float current, float target)
         {
             float way = Repeat(target - current, 360);

@@ -2,7 +2,7 @@ using System;
 
 namespace UnityEngine
 {
-    /// <summary>Four times four floats. An index alone counts down the columns, as m00, m10, m20, m30, m01 …</summary>
+    /// <summary>A 4 × 4 matrix of floats. A single index goes down the columns: m00, m10, m20, m30, m01 …</summary>
     public struct Matrix4x4 : IEquatable<Matrix4x4>
     {
         public float m00, m10, m20, m30;
@@ -32,7 +32,7 @@ namespace UnityEngine
 
         public bool isIdentity => this == identity;
 
-        /// <summary>The turn in it.</summary>
+        /// <summary>Its rotation.</summary>
         public Quaternion rotation
         {
             get
@@ -42,7 +42,7 @@ namespace UnityEngine
             }
         }
 
-        /// <summary>The scale in it.</summary>
+        /// <summary>Its scale.</summary>
         public Vector3 lossyScale =>
             new Vector3(((Vector3)GetColumn(0)).magnitude * Mathf.Sign(determinant), ((Vector3)GetColumn(1)).magnitude, ((Vector3)GetColumn(2)).magnitude);
 
@@ -138,7 +138,7 @@ namespace UnityEngine
 
         public static Matrix4x4 Translate(Vector3 vector) => TRS(vector, Quaternion.identity, Vector3.one);
 
-        /// <summary>The matrix of a turn of length one; of no other length is it a rotation.</summary>
+        /// <summary>The matrix of a quaternion; a rotation only if the length is one.</summary>
         public static Matrix4x4 Rotate(Quaternion q)
         {
             float x = q.x * 2, y = q.y * 2, z = q.z * 2;
@@ -150,7 +150,7 @@ namespace UnityEngine
                 new Vector4(0, 0, 0, 1));
         }
 
-        /// <summary>Scales, then turns, then moves.</summary>
+        /// <summary>Scale, then rotation, then translation.</summary>
         public static Matrix4x4 TRS(Vector3 pos, Quaternion q, Vector3 s)
         {
             Matrix4x4 turn = Rotate(q);
@@ -183,7 +183,7 @@ namespace UnityEngine
 
         public Vector3 GetPosition() => new Vector3(m03, m13, m23);
 
-        /// <summary>A point, through a projection too.</summary>
+        /// <summary>Transforms a point, with projection.</summary>
         public Vector3 MultiplyPoint(Vector3 point)
         {
             Vector4 moved = this * new Vector4(point.x, point.y, point.z, 1);
@@ -191,10 +191,10 @@ namespace UnityEngine
             return new Vector3(moved.x * scale, moved.y * scale, moved.z * scale);
         }
 
-        /// <summary>A point; the last row is taken as 0, 0, 0, 1.</summary>
+        /// <summary>Transforms a point; the last row is taken as 0, 0, 0, 1.</summary>
         public Vector3 MultiplyPoint3x4(Vector3 point) => this * new Vector4(point.x, point.y, point.z, 1);
 
-        /// <summary>A direction: it is not moved.</summary>
+        /// <summary>Transforms a direction, without translation.</summary>
         public Vector3 MultiplyVector(Vector3 vector) => this * (Vector4)vector;
 
         public bool Equals(Matrix4x4 other) =>

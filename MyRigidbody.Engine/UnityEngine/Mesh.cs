@@ -2,7 +2,7 @@ using System.Collections.Generic;
 
 namespace UnityEngine
 {
-    /// <summary>Vertices, not scaled.</summary>
+    /// <summary>The unscaled vertices of a mesh.</summary>
     public sealed class Mesh : Object
     {
         private Vector3[] _vertices = new Vector3[0];
@@ -13,12 +13,12 @@ namespace UnityEngine
             set => _vertices = (Vector3[])value.Clone();
         }
 
-        /// <summary>Three corners of each triangle.</summary>
+        /// <summary>Three vertex numbers of each triangle.</summary>
         public int[] triangles { get; set; } = new int[0];
 
         public Vector3[] normals { get; set; } = new Vector3[0];
 
-        /// <summary>The box round all vertices, in the object's axes.</summary>
+        /// <summary>The bounding box of all vertices, in the object's axes.</summary>
         public Bounds bounds => Bounds.Round(_vertices);
 
         public int vertexCount => _vertices.Length;
@@ -37,7 +37,7 @@ namespace UnityEngine
 
         internal Mesh Copy() => new Mesh { name = name + " Instance", vertices = _vertices, triangles = triangles, normals = normals };
 
-        /// <summary>Unity's own cube: three vertices in each corner, one for every face that meets there.</summary>
+        /// <summary>Unity's own cube: three vertices in each corner, one for each face there.</summary>
         internal static Mesh Cube()
         {
             List<Vector3> vertices = new List<Vector3>();

@@ -3,7 +3,7 @@ using System.Linq;
 
 namespace UnityEngine
 {
-    /// <summary>How the engine writes the numbers of a value.</summary>
+    /// <summary>The engine's text of the numbers of a value.</summary>
     internal static class Numbers
     {
 #if UNITY_2021_2_OR_NEWER || EVERY_UNITY

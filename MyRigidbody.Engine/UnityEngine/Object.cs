@@ -4,7 +4,7 @@ using RigidBodyDynamics.Engine;
 
 namespace UnityEngine
 {
-    /// <summary>What Unity owns. One that has been destroyed equals null.</summary>
+    /// <summary>An object that Unity owns. A destroyed one equals null.</summary>
     public class Object
     {
         private string _name = string.Empty;
@@ -33,7 +33,7 @@ namespace UnityEngine
 
         public static void Destroy(Object obj, float t) => World.DestroyLater(obj);
 
-        /// <summary>The first script or part of a kind; null if there is none.</summary>
+        /// <summary>The first script or component of a type; null if there is none.</summary>
         public static T FindObjectOfType<T>() where T : Object => FindObjectsOfType<T>().FirstOrDefault();
 
         public static T[] FindObjectsOfType<T>() where T : Object =>
@@ -66,7 +66,7 @@ namespace UnityEngine
         private static bool IsNone(Object x) => x is null || x.IsDestroyed;
     }
 
-    /// <summary>How an object is shown and kept.</summary>
+    /// <summary>How an object is displayed and saved.</summary>
     [Flags]
     public enum HideFlags
     {

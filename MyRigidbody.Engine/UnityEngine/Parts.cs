@@ -4,10 +4,10 @@ using RigidBodyDynamics.Engine;
 
 namespace UnityEngine
 {
-    /// <summary>Looks at the scene along its z axis.</summary>
+    /// <summary>A camera along the z axis of the scene.</summary>
     public sealed class Camera : Behaviour
     {
-        /// <summary>The first that is switched on and has the tag MainCamera; null if there is none.</summary>
+        /// <summary>The first that is enabled and has the tag MainCamera; null if there is none.</summary>
         public static Camera main =>
             World.Objects.Where(o => o.tag == "MainCamera").Select(o => o.GetComponent<Camera>()).FirstOrDefault(camera => camera != null && camera.isActiveAndEnabled);
 
@@ -22,13 +22,13 @@ namespace UnityEngine
         }
     }
 
-    /// <summary>Lights it.</summary>
+    /// <summary>A light.</summary>
     public sealed class Light : Behaviour { }
 
-    /// <summary>Hears it.</summary>
+    /// <summary>A listener.</summary>
     public sealed class AudioListener : Behaviour { }
 
-    /// <summary>Draws an object.</summary>
+    /// <summary>The renderer of an object.</summary>
     public class Renderer : Component
     {
         public bool enabled { get; set; } = true;
@@ -38,24 +38,24 @@ namespace UnityEngine
         public Material sharedMaterial { get => material; set => material = value; }
     }
 
-    /// <summary>How a surface looks.</summary>
+    /// <summary>The look of a surface.</summary>
     public class Material : Object
     {
         public Color color { get; set; } = Color.white;
     }
 
-    /// <summary>Draws a mesh.</summary>
+    /// <summary>The renderer of a mesh.</summary>
     public class MeshRenderer : Renderer { }
 
-    /// <summary>Holds a mesh.</summary>
+    /// <summary>The mesh of an object.</summary>
     public sealed class MeshFilter : Component
     {
         private Mesh _own;
 
-        /// <summary>The mesh that all who use it share.</summary>
+        /// <summary>The mesh that all its users share.</summary>
         public Mesh sharedMesh { get; set; }
 
-        /// <summary>A copy that belongs to this object alone, made when it is asked for first.</summary>
+        /// <summary>A copy for this object alone, created at the first access.</summary>
         public Mesh mesh
         {
             get => _own ?? (_own = sharedMesh == null ? new Mesh() : sharedMesh = sharedMesh.Copy());
@@ -63,13 +63,13 @@ namespace UnityEngine
         }
     }
 
-    /// <summary>What physics touches.</summary>
+    /// <summary>A shape for collisions.</summary>
     public class Collider : Component
     {
         public bool enabled { get; set; } = true;
     }
 
-    /// <summary>A box that physics touches, before the object's scale.</summary>
+    /// <summary>A box for collisions, before the object's scale.</summary>
     public class BoxCollider : Collider
     {
         public Vector3 center { get; set; } = Vector3.zero;

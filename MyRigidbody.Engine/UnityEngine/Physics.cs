@@ -2,7 +2,7 @@ using RigidBodyDynamics.Engine;
 
 namespace UnityEngine
 {
-    /// <summary>The engine's physics. Nothing touches here; <see cref="Touching"/> says what would.</summary>
+    /// <summary>The engine's physics. There are no contacts; <see cref="Touching"/> finds those that would be.</summary>
     public static class Physics
     {
         public static Vector3 gravity { get; set; }
@@ -23,7 +23,7 @@ namespace UnityEngine
         internal static bool IsAutomatic => autoSimulation;
 #endif
 
-        /// <summary>One step of all bodies, by a script.</summary>
+        /// <summary>One step of all bodies, called by a script.</summary>
         public static void Simulate(float step)
         {
             if (IsAutomatic)
@@ -35,7 +35,7 @@ namespace UnityEngine
             Step(step);
         }
 
-        /// <summary>Lets two colliders go through each other.</summary>
+        /// <summary>Lets two colliders pass through each other.</summary>
         public static void IgnoreCollision(Collider collider1, Collider collider2) => IgnoreCollision(collider1, collider2, true);
 
         public static void IgnoreCollision(Collider collider1, Collider collider2, bool ignore) => Touching.Ignore(collider1, collider2, ignore);

@@ -2,7 +2,7 @@ using System;
 
 namespace UnityEngine
 {
-    /// <summary>An orientation, w last. Nothing keeps its length at one but the members that say so.</summary>
+    /// <summary>An orientation, w last. Only those members keep its length at one that say so.</summary>
     public struct Quaternion : IEquatable<Quaternion>
     {
         public const float kEpsilon = 1e-6f;
@@ -78,17 +78,17 @@ namespace UnityEngine
 
         public static float Dot(Quaternion a, Quaternion b) => a.x * b.x + a.y * b.y + a.z * b.z + a.w * b.w;
 
-        /// <summary>Length one; the identity where there is no length.</summary>
+        /// <summary>Scales to length one; the identity for length zero.</summary>
         public static Quaternion Normalize(Quaternion q)
         {
             float length = (float)Math.Sqrt(Dot(q, q));
             return length < Mathf.Epsilon ? identity : new Quaternion(q.x / length, q.y / length, q.z / length, q.w / length);
         }
 
-        /// <summary>The inverse of a turn of length one.</summary>
+        /// <summary>The inverse of a rotation of length one.</summary>
         public static Quaternion Inverse(Quaternion rotation) => new Quaternion(-rotation.x, -rotation.y, -rotation.z, rotation.w);
 
-        /// <summary>A turn by an angle in degrees; the identity where the axis has no length.</summary>
+        /// <summary>The rotation by an angle in degrees; the identity where the axis has no length.</summary>
         public static Quaternion AngleAxis(float angle, Vector3 axis)
         {
             double half = angle * Math.PI / 360, length = Math.Sqrt((double)axis.x * axis.x + (double)axis.y * axis.y + (double)axis.z * axis.z);

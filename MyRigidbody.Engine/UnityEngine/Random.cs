@@ -2,7 +2,7 @@ using System;
 
 namespace UnityEngine
 {
-    /// <summary>Random numbers: the same ones in every world, so that a run can be repeated.</summary>
+    /// <summary>Random numbers: the same in every world, so that a run can be repeated.</summary>
     public static class Random
     {
         private static System.Random _source = new System.Random(0);

@@ -3,7 +3,7 @@ using RigidBodyDynamics.Engine;
 
 namespace UnityEngine
 {
-    /// <summary>Unity's own body, which moves here by the library's UnityRigidbody.</summary>
+    /// <summary>Unity's own body, moved here by the library's UnityRigidbody.</summary>
     public sealed class Rigidbody : Component
     {
         private readonly PhysicsBody _body = new PhysicsBody();
@@ -17,7 +17,7 @@ namespace UnityEngine
 
         public bool useGravity { get; set; } = true;
 
-        /// <summary>How it is drawn between two steps; here it is drawn where it is.</summary>
+        /// <summary>How it is drawn between two steps; here always in its last pose.</summary>
         public RigidbodyInterpolation interpolation { get; set; }
 
         /// <summary>True: the engine does not move it.</summary>
@@ -83,7 +83,7 @@ namespace UnityEngine
             set => _body.SetVelocities(_body.Velocity, value);
         }
 
-        // the old names and the new ones, each in its own version alone, so that a use in the wrong one is found
+        // the old names and the new ones, each only in its own version, so that a use in the wrong version does not compile
 #if UNITY_6000_0_OR_NEWER || EVERY_UNITY
         public Vector3 linearVelocity { get => _body.Velocity; set => _body.SetVelocities(value, _body.AngularVelocity); }
 
@@ -127,7 +127,7 @@ namespace UnityEngine
 
         public void MoveRotation(Quaternion rot) => rotation = rot;
 
-        /// <summary>The collider's moments again, in place of those a script has set.</summary>
+        /// <summary>The collider's moments, in place of those that a script has set.</summary>
         public void ResetInertiaTensor()
         {
             _inertiaTensor = null;
@@ -141,7 +141,7 @@ namespace UnityEngine
 
         public void Sleep() => _body.Sleep();
 
-        /// <summary>One step, and the object goes where the body went.</summary>
+        /// <summary>One step, after which the object takes the body's pose.</summary>
         internal void Step(float step)
         {
             // a script that has moved the object has moved the body
@@ -169,7 +169,7 @@ namespace UnityEngine
             },
         };
 
-        // a push on any other has no effect, and is not kept
+        // a force on any other has no effect, and is not stored
         private bool IsPushed => !isKinematic && gameObject.activeInHierarchy;
 
         // Unity's numbers are twice the library's
@@ -206,7 +206,7 @@ namespace UnityEngine
         }
     }
 
-    /// <summary>Axes of the world along which a body cannot move, and its own about which it cannot turn, with Unity's numbers.</summary>
+    /// <summary>Axes of the world along which a body cannot move, and its own about which it cannot rotate, with Unity's numbers.</summary>
     [System.Flags]
     public enum RigidbodyConstraints
     {
@@ -230,7 +230,7 @@ namespace UnityEngine
         Extrapolate,
     }
 
-    /// <summary>What the numbers of a push are, with Unity's numbers.</summary>
+    /// <summary>The unit of a force, with Unity's numbers.</summary>
     public enum ForceMode
     {
         Force = 0,

@@ -17,7 +17,7 @@ namespace UnityEngine.SceneManagement
 
         public bool IsValid() => name != null;
 
-        /// <summary>In the order of the hierarchy. Not before the scene is loaded: versions differ in what Awake gets.</summary>
+        /// <summary>In the order of the hierarchy. Not before the scene is loaded, because versions differ in what Awake gets.</summary>
         public GameObject[] GetRootGameObjects() => isLoaded
             ? World.Objects.Where(o => o.transform.parent == null && !o.Survives).ToArray()
             : throw new ArgumentException("The scene is not loaded.");
@@ -28,7 +28,7 @@ namespace UnityEngine.SceneManagement
     {
         public static Scene GetActiveScene() => new Scene(World.SceneName);
 
-        /// <summary>Loads it with the next frame and ends what the present one has.</summary>
+        /// <summary>Loads it with the next frame and destroys the objects of the present one.</summary>
         public static void LoadScene(string sceneName)
         {
             if (!World.IsPlaying)

@@ -4,7 +4,7 @@ using System.Collections.Generic;
 
 namespace UnityEngine
 {
-    /// <summary>Where an object is, seen from its parent. Its turn always has length one, and it takes only numbers.</summary>
+    /// <summary>The pose and scale of an object, relative to its parent. Its rotation always has length one, and it refuses NaN.</summary>
     public partial class Transform : Component, IEnumerable
     {
         private readonly List<Transform> _children = new List<Transform>();
@@ -68,7 +68,7 @@ namespace UnityEngine
             }
         }
 
-        /// <summary>The scale in the world; where parents shear it, as near as Unity comes.</summary>
+        /// <summary>The scale in the world; where parents shear it, Unity's approximation.</summary>
         public Vector3 lossyScale => _parent == null ? localScale : Vector3.Scale(_parent.lossyScale, localScale);
 
         public void SetPositionAndRotation(Vector3 position, Quaternion rotation)
@@ -94,7 +94,7 @@ namespace UnityEngine
 
         public IEnumerator GetEnumerator() => _children.GetEnumerator();
 
-        /// <summary>Where physics puts it: the bits that physics has.</summary>
+        /// <summary>The pose from physics, to the bit.</summary>
         internal void Place(Vector3 position, Quaternion rotation)
         {
             if (_parent != null)
@@ -109,12 +109,12 @@ namespace UnityEngine
 
         private static Quaternion Unit(Quaternion turn)
         {
-            // what is of length one but for its rounding stays as it is: what is read back is what was set
+            // a rotation of length one except for rounding is not changed, so that reading returns what was set
             double square = (double)turn.x * turn.x + (double)turn.y * turn.y + (double)turn.z * turn.z + (double)turn.w * turn.w;
             return Math.Abs(square - 1) < 2e-7 ? turn : square < 1e-10 ? Quaternion.identity : turn.normalized;
         }
 
-        // of a type of its own, because a box a step would cost more than the rest
+        // generic, because boxing in every step would cost more than the rest
         private bool IsValid<T>(string member, float sum, string what, T value) where T : struct
         {
             if (!float.IsNaN(sum) && !float.IsInfinity(sum))

@@ -1,6 +1,6 @@
 namespace UnityEngine
 {
-    // moves, turns, and the way between the object's axes and the world's
+    // translations, rotations, and conversions between the object's axes and the world's
     public partial class Transform
     {
         public Vector3 right
@@ -103,7 +103,7 @@ namespace UnityEngine
         }
     }
 
-    /// <summary>Whose axes are meant.</summary>
+    /// <summary>The axes of a translation or rotation.</summary>
     public enum Space
     {
         World,

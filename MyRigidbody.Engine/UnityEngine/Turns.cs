@@ -2,7 +2,7 @@ using System;
 
 namespace UnityEngine
 {
-    /// <summary>Turns from other things than an angle about an axis.</summary>
+    /// <summary>Rotations from and to other forms than an angle about an axis.</summary>
     internal static class Turns
     {
         private const float Degrees = 180 / (float)Math.PI;
@@ -21,7 +21,7 @@ namespace UnityEngine
                 Math.Atan2(2.0 * ((double)q.x * q.y + (double)q.w * q.z), 1 - 2.0 * ((double)q.x * q.x + (double)q.z * q.z)));
         }
 
-        /// <summary>z along the first direction, y in the plane of both; the identity where there is no such turn.</summary>
+        /// <summary>z along the first direction, y in the plane of both; the identity where there is no such rotation.</summary>
         public static Quaternion LookRotation(Vector3 forward, Vector3 upwards)
         {
             if (forward.magnitude < Vector3.kEpsilon)
@@ -35,7 +35,7 @@ namespace UnityEngine
             return OfAxes(x, Vector3.Cross(z, x), z);
         }
 
-        /// <summary>The shortest turn from one direction to another.</summary>
+        /// <summary>The shortest rotation from one direction to another.</summary>
         public static Quaternion Between(Vector3 from, Vector3 to)
         {
             float lengths = Mathf.Sqrt(from.sqrMagnitude * to.sqrMagnitude);
@@ -51,7 +51,7 @@ namespace UnityEngine
             return Quaternion.AngleAxis(180, across.sqrMagnitude > 1e-6f * from.sqrMagnitude ? across : Vector3.Cross(Vector3.up, from));
         }
 
-        /// <summary>Along the shorter arc at an even rate.</summary>
+        /// <summary>Along the shorter arc at a constant rate.</summary>
         public static Quaternion Slerp(Quaternion a, Quaternion b, float t)
         {
             double cosine = Quaternion.Dot(a, b), sign = cosine < 0 ? -1 : 1, angle = Math.Acos(Math.Min(Math.Abs(cosine), 1)), sine = Math.Sin(angle);
@@ -60,14 +60,14 @@ namespace UnityEngine
                 : Mix(a, b, (float)(Math.Sin((1 - t) * angle) / sine), (float)(sign * Math.Sin(t * angle) / sine));
         }
 
-        /// <summary>The normalised sum of parts.</summary>
+        /// <summary>The normalised weighted sum.</summary>
         public static Quaternion Mix(Quaternion a, Quaternion b, float ofA, float ofB) =>
             new Quaternion(ofA * a.x + ofB * b.x, ofA * a.y + ofB * b.y, ofA * a.z + ofB * b.z, ofA * a.w + ofB * b.w).normalized;
 
-        /// <summary>The turn that has these unit vectors, at right angles, as its axes.</summary>
+        /// <summary>The rotation whose axes are these orthogonal unit vectors.</summary>
         public static Quaternion OfAxes(Vector3 x, Vector3 y, Vector3 z)
         {
-            // 4 times the square of a component is one plus or minus the diagonal; the largest of the four is divided by
+            // 4 times the square of a component is one plus or minus the diagonal; divides by the largest of the four
             float trace = x.x + y.y + z.z;
             Quaternion fourTimes =
                 trace > 0 ? new Quaternion(y.z - z.y, z.x - x.z, x.y - y.x, 1 + trace)

@@ -119,7 +119,7 @@ namespace UnityEngine
         public static Vector3 ClampMagnitude(Vector3 vector, float maxLength) =>
             vector.sqrMagnitude > maxLength * maxLength ? vector / vector.magnitude * maxLength : vector;
 
-        /// <summary>The part along a direction; zero where the direction has no length.</summary>
+        /// <summary>The component along a direction; zero where the direction has no length.</summary>
         public static Vector3 Project(Vector3 vector, Vector3 onNormal)
         {
             float square = Dot(onNormal, onNormal);
@@ -137,7 +137,7 @@ namespace UnityEngine
             return lengths < kEpsilonNormalSqrt ? 0 : (float)Math.Acos(Mathf.Clamp(Dot(from, to) / lengths, -1, 1)) * Mathf.Rad2Deg;
         }
 
-        /// <summary>That angle, negative where the turn about the axis is.</summary>
+        /// <summary>That angle, negative for a rotation against the axis.</summary>
         public static float SignedAngle(Vector3 from, Vector3 to, Vector3 axis) => Angle(from, to) * Mathf.Sign(Dot(axis, Cross(from, to)));
 
         public void Set(float newX, float newY, float newZ)

@@ -3,7 +3,7 @@ namespace UnityEngine
     /// <summary>What a coroutine waits for.</summary>
     public class YieldInstruction { }
 
-    /// <summary>Until the next fixed step is done, the engine's physics too.</summary>
+    /// <summary>Until the next fixed step and the engine's physics are done.</summary>
     public sealed class WaitForFixedUpdate : YieldInstruction { }
 
     /// <summary>Until so many seconds of the game's time have passed.</summary>
@@ -15,7 +15,7 @@ namespace UnityEngine
     /// <summary>Until the frame is drawn.</summary>
     public sealed class WaitForEndOfFrame : YieldInstruction { }
 
-    /// <summary>What goes on over many frames.</summary>
+    /// <summary>A routine over many frames.</summary>
     public sealed class Coroutine : YieldInstruction
     {
         internal Coroutine(MonoBehaviour owner, System.Collections.IEnumerator routine)

@@ -2,7 +2,7 @@ using System;
 
 namespace RigidBodyDynamics.Judging
 {
-    /// <summary>Three rows of three, as an inertia tensor or a rotation.</summary>
+    /// <summary>A 3 × 3 matrix, such as an inertia tensor or a rotation.</summary>
     public struct Matrix : IEquatable<Matrix>
     {
         public readonly Vector Row0;
@@ -25,7 +25,7 @@ namespace RigidBodyDynamics.Judging
 
         public double Determinant => Vector.Dot(Row0, Vector.Cross(Row1, Row2));
 
-        /// <summary>The inverse; zero where there is none, as Unity has it.</summary>
+        /// <summary>The inverse; zero where there is none, as in Unity.</summary>
         public Matrix Inverse
         {
             get
@@ -36,12 +36,12 @@ namespace RigidBodyDynamics.Judging
             }
         }
 
-        /// <summary>The largest element, without sign.</summary>
+        /// <summary>The largest absolute value of an element.</summary>
         public double Size => Math.Max(Largest(Row0), Math.Max(Largest(Row1), Largest(Row2)));
 
         public static Matrix Diagonal(Vector d) => new Matrix(new Vector(d.X, 0, 0), new Vector(0, d.Y, 0), new Vector(0, 0, d.Z));
 
-        /// <summary>The matrix that Unity makes of a quaternion; a rotation only where its length is 1.</summary>
+        /// <summary>Unity's matrix of a quaternion; a rotation only where its length is 1.</summary>
         public static Matrix Rotation(Orientation q) => new Matrix(
             new Vector(1 - 2 * (q.Y * q.Y + q.Z * q.Z), 2 * (q.X * q.Y - q.W * q.Z), 2 * (q.X * q.Z + q.W * q.Y)),
             new Vector(2 * (q.X * q.Y + q.W * q.Z), 1 - 2 * (q.X * q.X + q.Z * q.Z), 2 * (q.Y * q.Z - q.W * q.X)),

@@ -2,7 +2,7 @@ using System;
 
 namespace RigidBodyDynamics.Judging
 {
-    /// <summary>A quaternion from the body's axes to the world's; Unity's order of components, w last. Its length is kept as it is.</summary>
+    /// <summary>A quaternion from the body's axes to the world's; Unity's order of components, w last. Its length is not changed.</summary>
     public struct Orientation : IEquatable<Orientation>
     {
         public readonly double X;
@@ -47,7 +47,7 @@ namespace RigidBodyDynamics.Judging
             p.W * q.Imaginary + q.W * p.Imaginary + Vector.Cross(p.Imaginary, q.Imaginary),
             p.W * q.W - Vector.Dot(p.Imaginary, q.Imaginary));
 
-        /// <summary>A turn by the length of the vector, in radians, about its direction.</summary>
+        /// <summary>A rotation by the length of the vector, in radians, about its direction.</summary>
         public static Orientation Turn(Vector rotation)
         {
             double angle = rotation.Length;

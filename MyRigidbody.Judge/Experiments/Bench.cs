@@ -4,7 +4,7 @@ using System.Linq;
 
 namespace RigidBodyDynamics.Judging
 {
-    /// <summary>The laboratory with the script on it and its variables at hand. Static variables are put back at every beginning.</summary>
+    /// <summary>The laboratory with a script and its variables. Static variables are reset at every beginning.</summary>
     internal sealed class Bench
     {
         private readonly ILaboratory _laboratory;
@@ -36,7 +36,7 @@ namespace RigidBodyDynamics.Judging
                 v.Write(_statics[v.Name]);
         }
 
-        /// <summary>Runs Start and looks at the variables again, since it may have made some.</summary>
+        /// <summary>Runs Start and reads the variables again, since Start may have created some.</summary>
         public void Start()
         {
             _laboratory.Start();

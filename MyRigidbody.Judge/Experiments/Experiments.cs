@@ -5,12 +5,12 @@ using System.Linq;
 namespace RigidBodyDynamics.Judging
 {
     /// <summary>
-    /// What a script is put through. The lab's own scene hides mistakes: a cube has the same inertia from all sides and the torque always
-    /// points along (1, 1, 1). So there is a turned box too, and states, forces and torques are set anew every few frames.
+    /// The experiments with a script. The lab's own scene hides mistakes: the inertia of a cube is the same about all axes, and the torque
+    /// is always along (1, 1, 1). So there is a rotated box, too, and states, forces and torques are set anew every few frames.
     /// </summary>
     public static class Experiments
     {
-        /// <summary>Plays all experiments; what the script throws is thrown on.</summary>
+        /// <summary>Plays all experiments; an exception of the script is thrown on.</summary>
         public static Recording Record(ILaboratory laboratory)
         {
             Bench bench = new Bench(laboratory);
@@ -26,7 +26,7 @@ namespace RigidBodyDynamics.Judging
             return new Recording(runs, roles.ToDictionary(r => r.Key.ToString(), r => r.Value.Replace(Variable.ScalarFirstPrefix, "")));
         }
 
-        /// <summary>Somebody at the keyboard: at rest at first, then one key, then whatever comes.</summary>
+        /// <summary>Simulated key presses: at rest at first, then one key, then any keys.</summary>
         private static IEnumerable<Move> Keyboard(int seed, int frames)
         {
             Keys[] first = { Keys.None, Keys.RightArrow, Keys.None, Keys.R, Keys.RightArrow | Keys.R, Keys.UpArrow, Keys.LeftArrow, Keys.None, Keys.DownArrow };
@@ -39,7 +39,7 @@ namespace RigidBodyDynamics.Judging
             }
         }
 
-        /// <summary>A new state, and new keys or a force and a torque of our own, every four frames.</summary>
+        /// <summary>A new state, and new keys or a given force and torque, every four frames.</summary>
         private static IEnumerable<Move> States(int seed, int frames, Func<Random, double> delta)
         {
             Random random = new Random(seed);

@@ -7,10 +7,10 @@ namespace RigidBodyDynamics.Judging
 
         public Keys Held { get; set; }
 
-        /// <summary>The state that the script is given before the frame.</summary>
+        /// <summary>The state that the script gets before the frame.</summary>
         public State State { get; set; }
 
-        /// <summary>The force that takes the place of the keys'.</summary>
+        /// <summary>The force in place of that of the keys.</summary>
         public Vector? Force { get; set; }
 
         public Vector? Torque { get; set; }

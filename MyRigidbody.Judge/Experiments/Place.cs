@@ -3,7 +3,7 @@ using System.Reflection;
 
 namespace RigidBodyDynamics.Judging
 {
-    /// <summary>Where a value of the script is kept: the script itself, or a field of what is kept elsewhere.</summary>
+    /// <summary>The place of a value of the script: a field of the script, or of an object that it holds.</summary>
     internal abstract class Place
     {
         public abstract object Value { get; set; }
@@ -37,7 +37,7 @@ namespace RigidBodyDynamics.Judging
                 {
                     object owner = _field.IsStatic ? null : _owner.Value;
                     _field.SetValue(owner, value);
-                    // a struct was read as a copy: put the copy back
+                    // a struct was read as a copy: write the copy back
                     if (owner is ValueType)
                         _owner.Value = owner;
                 }

@@ -3,7 +3,7 @@ using System.Linq;
 
 namespace RigidBodyDynamics.Judging
 {
-    /// <summary>Plays one experiment and writes down what the script knew before each frame and left after it.</summary>
+    /// <summary>Plays one experiment and records the script's variables before and after each frame.</summary>
     internal sealed class Player
     {
         private readonly Bench _bench;
@@ -69,7 +69,7 @@ namespace RigidBodyDynamics.Judging
                 mass.Write(new[] { mass.Number * factor });
         }
 
-        /// <summary>A script with the cube's corners written into it has the cube's I_ref on every box; it is given that of the box.</summary>
+        /// <summary>A script with the cube's corners as constants has the cube's I_ref for every box; it gets that of the box.</summary>
         private void ReplaceInertia(Matrix found, Setting setting)
         {
             Matrix cube = Matrix.InertiaOf(Settings.Cube.Vertices), box = Matrix.InertiaOf(setting.Vertices);

@@ -3,7 +3,7 @@ using System.Linq;
 
 namespace RigidBodyDynamics.Judging
 {
-    /// <summary>What a variable stands for in the sheet's formulas.</summary>
+    /// <summary>The role of a variable in the sheet's formulas.</summary>
     internal enum Role
     {
         Force,
@@ -16,7 +16,7 @@ namespace RigidBodyDynamics.Judging
         Inertia,
     }
 
-    /// <summary>The names that scripts give to the variables, the likelier first.</summary>
+    /// <summary>The names of variables in scripts, the more likely first.</summary>
     internal static class RoleNames
     {
         private static readonly Dictionary<Role, string> Names = new Dictionary<Role, string>
@@ -34,7 +34,7 @@ namespace RigidBodyDynamics.Judging
         public static Shape ShapeOf(Role role) =>
             role == Role.Mass ? Shape.Number : role == Role.Inertia ? Shape.Matrix : role == Role.Orientation ? Shape.Quaternion : Shape.Vector;
 
-        /// <summary>How near the name is to what the role is called: 0 is nearest, -1 is not at all.</summary>
+        /// <summary>How well the name suits the role: 0 is best, −1 is not at all.</summary>
         public static int Rank(Role role, string name)
         {
             string last = name.Substring(name.LastIndexOf('.') + 1);
@@ -42,11 +42,11 @@ namespace RigidBodyDynamics.Judging
             return System.Array.IndexOf(Names[role].Split(' '), plain.Replace("_", "").ToLowerInvariant());
         }
 
-        /// <summary>Variables of the role's shape whose name is one of the role's, the likeliest first.</summary>
+        /// <summary>Variables of the role's shape with one of its names, the most likely first.</summary>
         public static IReadOnlyList<Variable> Candidates(Role role, IEnumerable<Variable> variables) =>
             variables.Where(v => v.Shape == ShapeOf(role) && Rank(role, v.Name) >= 0).OrderBy(v => Rank(role, v.Name)).ToArray();
 
-        /// <summary>The name is that of another quantity: it is not taken for this one on the ground of what it does.</summary>
+        /// <summary>True for the name of another quantity: such a variable is not taken for this role because of its behaviour.</summary>
         public static bool IsAnother(Role role, string name) =>
             Names.Keys.Any(r => r != role && ShapeOf(r) == ShapeOf(role) && Rank(r, name) >= 0) || MomentumNames.Contains(name.ToLowerInvariant());
 

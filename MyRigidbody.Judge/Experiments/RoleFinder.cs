@@ -5,8 +5,8 @@ using System.Linq;
 namespace RigidBodyDynamics.Judging
 {
     /// <summary>
-    /// Finds which variable of a script is its velocity, its torque and so on: by its name, and by what it does. A variable that moves the
-    /// object when it is changed is the velocity whatever it is called.
+    /// Finds which variable of a script is its velocity, its torque and so on: by its name, and by its behaviour. A variable that moves
+    /// the object when it is changed is the velocity, whatever its name.
     /// </summary>
     internal sealed class RoleFinder
     {
@@ -39,7 +39,7 @@ namespace RigidBodyDynamics.Judging
                 roles[role] = variable.Name;
         }
 
-        /// <summary>The variable that holds the value after a frame with the keys; by name where none does, or several do.</summary>
+        /// <summary>The variable with the expected value after a frame with the keys; by name where none has it, or several.</summary>
         private Variable Shown(Role role, IReadOnlyList<Variable> variables, Keys keys, Vector value)
         {
             _bench.Begin(Settings.TurnedBox);
@@ -65,7 +65,7 @@ namespace RigidBodyDynamics.Judging
         private static bool IsInProportion(Matrix a, Matrix b) =>
             a.Size > 0 && ((1 / a.Size) * a - (1 / b.Size) * b).Size < 1e-3;
 
-        /// <summary>A quaternion of the script's own that turns the object: it is its orientation after Start, or by name.</summary>
+        /// <summary>A quaternion of the script's own that rotates the object: it equals the orientation after Start, or is found by name.</summary>
         private static Variable OwnOrientation(IReadOnlyList<Variable> variables, Pose here)
         {
             List<Variable> own = variables.Where(v => v.Shape == Shape.Quaternion).ToList();
@@ -81,7 +81,7 @@ namespace RigidBodyDynamics.Judging
             return named.FirstOrDefault();
         }
 
-        /// <summary>The velocity, the angular velocity and the script's own position: what the object does when each vector is changed.</summary>
+        /// <summary>The velocity, the angular velocity and the script's own position: found by the object's reaction when each vector is changed.</summary>
         private void FindMoving(Dictionary<Role, string> roles, IReadOnlyList<Variable> variables)
         {
             Pose still = Played(null);

@@ -5,7 +5,7 @@ using System.Reflection;
 
 namespace RigidBodyDynamics.Judging
 {
-    /// <summary>The numbers that a script keeps between frames, found by reflection; types of the engine are known by their members' names.</summary>
+    /// <summary>The numbers that a script stores between frames, found by reflection; types of the engine are recognised by their members' names.</summary>
     internal static class ScriptVariables
     {
         private const int Deepest = 3;
@@ -36,7 +36,7 @@ namespace RigidBodyDynamics.Judging
             }
         }
 
-        /// <summary>The name of the property where the field is the compiler's for one.</summary>
+        /// <summary>The property's name for a field that the compiler generated.</summary>
         private static string PlainName(string field) => field.StartsWith("<", StringComparison.Ordinal) ? field.Substring(1, field.IndexOf('>') - 1) : field;
 
         private static List<Variable> Grouped(List<Variable> variables)

@@ -6,7 +6,7 @@ using System.Reflection;
 
 namespace RigidBodyDynamics.Judging
 {
-    /// <summary>Reads a field as a number, a vector, a quaternion or a matrix, whatever type the script keeps it in.</summary>
+    /// <summary>Reads a field as a number, a vector, a quaternion or a matrix, whatever its type in the script.</summary>
     internal static class Shapes
     {
         private static readonly string[] MatrixNames = { "m00", "m01", "m02", "m10", "m11", "m12", "m20", "m21", "m22" };
@@ -47,7 +47,7 @@ namespace RigidBodyDynamics.Judging
                 object owner = place.Value;
                 for (int i = 0; i < parts.Length; i++)
                     parts[i].SetValue(owner, FromNumber(values[i], parts[i].FieldType));
-                // a structure was read as a copy
+                // a struct was read as a copy
                 if (owner is ValueType)
                     place.Value = owner;
             });
@@ -81,7 +81,7 @@ namespace RigidBodyDynamics.Judging
             Array array = place.Value as Array;
             if (array == null || array.Length == 0)
                 return null;
-            // rows of rows have no length in the second direction until they are looked at
+            // a jagged array has no second length before its rows are read
             Type type = Element(array.GetType());
             if (array.Rank == 1 && array.GetValue(0) is Array row)
                 return array.Length >= 3 && row.Length >= 3 ? Cells(name, Shape.Matrix, isStatic, place, Grid((a, i, j) => ((Array)a.GetValue(i)).GetValue(j)), SetGrid((a, i, j, v) => ((Array)a.GetValue(i)).SetValue(v, j)), type) : null;

@@ -5,7 +5,7 @@ using System.Reflection;
 
 namespace RigidBodyDynamics.Judging
 {
-    /// <summary>What a variable of the script can stand for, by the numbers in it.</summary>
+    /// <summary>The shape of a variable, by its numbers.</summary>
     internal enum Shape
     {
         Number,
@@ -31,7 +31,7 @@ namespace RigidBodyDynamics.Judging
             _write = write;
         }
 
-        /// <summary>As in the script, with points between a structure and its members.</summary>
+        /// <summary>The name in the script, with points between a struct and its members.</summary>
         public string Name { get; }
 
         public Shape Shape { get; }
@@ -79,7 +79,7 @@ namespace RigidBodyDynamics.Judging
 
         public double[] Numbers => _read();
 
-        /// <summary>Whether the numbers could be written: constants and what is read-only after the start cannot.</summary>
+        /// <summary>Returns whether the numbers could be written: constants and read-only fields cannot.</summary>
         public bool Write(double[] numbers)
         {
             try
@@ -101,7 +101,7 @@ namespace RigidBodyDynamics.Judging
             () => { double[] q = _read(); return new[] { q[1], q[2], q[3], q[0] }; },
             q => _write(new[] { q[3], q[0], q[1], q[2] }));
 
-        /// <summary>Several numbers as one: vx, vy, vz.</summary>
+        /// <summary>Several numbers as one vector: vx, vy, vz.</summary>
         public static Variable Together(string name, Shape shape, IReadOnlyList<Variable> parts) => new Variable(
             name,
             shape,

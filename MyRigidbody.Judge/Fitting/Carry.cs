@@ -3,10 +3,10 @@ using System.Collections.Generic;
 
 namespace RigidBodyDynamics.Judging
 {
-    /// <summary>Step 3 or 4 through all frames, with the reading that fits the most of them.</summary>
+    /// <summary>Step 3 or 4 through all frames, by the reading that fits most of them.</summary>
     internal sealed class Carry
     {
-        /// <summary>Beyond half a turn in a frame, in radians, a turn is no longer the one that was meant.</summary>
+        /// <summary>A rotation by more than half a revolution in a frame, in radians, is ambiguous.</summary>
         private const double MostTurned = 3;
 
         private readonly Reading _reading;
@@ -20,25 +20,25 @@ namespace RigidBodyDynamics.Judging
             Seen = seen;
         }
 
-        /// <summary>The links that no reading explains.</summary>
+        /// <summary>The frames that no reading explains.</summary>
         public IReadOnlyList<int> Missed { get; }
 
-        /// <summary>How many frames were fast enough to see anything.</summary>
+        /// <summary>The number of frames with enough motion to be judged.</summary>
         public int Seen { get; }
 
         public bool IsRight => Missed.Count == 0;
 
-        /// <summary>The body is carried by a velocity that has been damped already.</summary>
+        /// <summary>The pose moves by a velocity that has been damped already.</summary>
         public bool IsDampedBefore => _reading.Code == Reading.DampedBefore;
 
-        /// <summary>What an instructor decides: a form or a reading that is neither the sheet's nor a mistake; null for none.</summary>
+        /// <summary>What an instructor has to decide: a form or a reading that is neither the sheet's nor a mistake; null for none.</summary>
         public string Code => !IsRight ? null : _form ?? (IsDampedBefore ? null : _reading.Code);
 
         /// <summary>Step 3: x ← x + Δt v.</summary>
         public static Carry OfPosition(Chain chain) => Best(chain, null, o => o.Moved, (o, d) =>
             4e-7 * (o.Before.Position.Length + o.After.Position.Length) + 1e-5 * d.Length + 1e-7, 1e6);
 
-        /// <summary>Step 4: by the formula; else by the exact turn, or by Euler angles of a small turn, if one of them is right.</summary>
+        /// <summary>Step 4: by the formula; else by the exact rotation, or by Euler angles of a small rotation, if one of them is right.</summary>
         public static Carry OfOrientation(Chain chain)
         {
             Carry formula = Best(chain, null, o => Turns.FirstOrder(o.Turn), Tolerance, MostTurned);
@@ -51,7 +51,7 @@ namespace RigidBodyDynamics.Judging
 
         private static double Tolerance(Observation o, Vector turn) => Turns.Tolerance(turn);
 
-        /// <summary>The reading that misses the fewest frames; null if all miss as many as <paramref name="tooMany"/>.</summary>
+        /// <summary>The reading that misses the fewest frames; null if all miss at least <paramref name="tooMany"/>.</summary>
         private static Carry Best(
             Chain chain, string form, Func<Observation, Vector> carried, Func<Observation, Vector, double> tolerance, double longest, int tooMany = int.MaxValue)
         {
@@ -80,7 +80,7 @@ namespace RigidBodyDynamics.Judging
                 if (!expected.IsFinite || length > longest || !o.Before.Position.IsFinite || !o.Before.Orientation.IsFinite)
                     continue;
                 seen += length > 1e-3 ? 1 : 0;
-                // of a velocity that nearly stops, the factor of step 5 is not seen
+                // where a velocity almost vanishes, the factor of step 5 is not visible
                 double unseen = 0.03 * Math.Min(length, 2e-3 * h);
                 if (!((carried(o) - expected).Length <= tolerance(o, expected) + unseen))
                     missed.Add(i);

@@ -3,7 +3,7 @@ using System.Collections.Generic;
 
 namespace RigidBodyDynamics.Judging
 {
-    /// <summary>One way in which a frame can have been carried on: a vector that is some coefficient times the velocity.</summary>
+    /// <summary>A possible form of step 3 or 4: a vector that is some coefficient times the velocity.</summary>
     internal sealed class CarryShape
     {
         public CarryShape(string code, string formula, Func<Observation, Vector> carried)
@@ -21,10 +21,10 @@ namespace RigidBodyDynamics.Judging
         public Func<Observation, Vector> Carried { get; }
     }
 
-    /// <summary>The shape and the velocity that fit the most frames, and the coefficient in each.</summary>
+    /// <summary>The form and the velocity that fit most frames, and the coefficient in each.</summary>
     internal sealed class CarryDiagnosis
     {
-        /// <summary>A shape that comes later has to fit more by this share of the frames.</summary>
+        /// <summary>A later form has to fit more by this share of the frames.</summary>
         private const double BetterBy = 1e-3;
 
         public CarryDiagnosis(Chain chain, IEnumerable<CarryShape> shapes, Func<Observation, Vector, double> tolerance)
@@ -42,10 +42,10 @@ namespace RigidBodyDynamics.Judging
 
         public Samples Gains { get; private set; }
 
-        /// <summary>The share of frames that the shape explains with a coefficient of its own in each.</summary>
+        /// <summary>The share of frames that the form explains with a separate coefficient in each.</summary>
         public double Share { get; private set; }
 
-        /// <summary>What stands in the place of Δt, as the end of a code; null where it is Δt.</summary>
+        /// <summary>What the script has in place of Δt, as the end of a code; null where it is Δt.</summary>
         public string Factor(TimeStep step)
         {
             Func<Observation, double> h = step.At;
@@ -71,7 +71,7 @@ namespace RigidBodyDynamics.Judging
 
         private void Try(Chain chain, CarryShape shape, Reading reading, Func<Observation, Vector, double> tolerance)
         {
-            // none can fit more
+            // no other form can fit more
             if (Share >= 1 - BetterBy)
                 return;
             Samples gains = new Samples(2e-3);

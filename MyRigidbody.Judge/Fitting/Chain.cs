@@ -3,7 +3,7 @@ using System.Linq;
 
 namespace RigidBodyDynamics.Judging
 {
-    /// <summary>A velocity through all frames, against the sheet's steps 1 and 5 (or 2 and 5) with one Δt.</summary>
+    /// <summary>A velocity through all frames, compared with the sheet's steps 1 and 5 (or 2 and 5) for one Δt.</summary>
     internal sealed class Chain
     {
         private readonly Match[] _matches;
@@ -31,12 +31,12 @@ namespace RigidBodyDynamics.Judging
         /// <summary>The number of the reading of the gain.</summary>
         public int Reading { get; }
 
-        /// <summary>Where the force or the torque was taken from.</summary>
+        /// <summary>The source of the force or the torque.</summary>
         public Source Source { get; }
 
         public TimeStep Step { get; }
 
-        /// <summary>What an instructor decides about the gain; null: it is the sheet's.</summary>
+        /// <summary>What an instructor has to decide about the gain; null: it is the sheet's.</summary>
         public string Code { get; }
 
         public Order Order { get; }
@@ -47,15 +47,15 @@ namespace RigidBodyDynamics.Judging
 
         public bool DecayIsRight { get; }
 
-        /// <summary>Steps that are off, then frames that are: the smaller the better.</summary>
+        /// <summary>Steps that are wrong, then frames that are: lower is better.</summary>
         public int Cost { get; }
 
         public Miss MissOf(int link) => _matches[link].Miss;
 
-        /// <summary>The factor of the frame; not a number where it cannot be told.</summary>
+        /// <summary>The factor of the frame; NaN where it cannot be determined.</summary>
         public double DecayOf(int link) => _matches[link].Decay;
 
-        /// <summary>The velocity between gain and decay, as the script had it; taken from what the frame left.</summary>
+        /// <summary>The velocity between gain and decay, as in the script; computed from the end of the frame.</summary>
         public Vector Gained(int link)
         {
             double decay = Order == Order.GainThenDecay ? _matches[link].Decay : Sheet.Decay;
@@ -64,7 +64,7 @@ namespace RigidBodyDynamics.Judging
             return (1 / (double.IsNaN(decay) || Math.Abs(decay) < 1e-3 ? Sheet.Decay : decay)) * Links[link].After;
         }
 
-        /// <summary>Where the factor is off, all velocities are of one length: a limit has been put to them.</summary>
+        /// <summary>True if all velocities with a wrong factor have one length: the script limits them.</summary>
         public bool IsLimited
         {
             get
@@ -124,7 +124,7 @@ namespace RigidBodyDynamics.Judging
         }
 
         /// <summary>
-        /// A script that keeps R or 1/m from the frame before is right, and misses only where the experiment has changed the state under it.
+        /// A script that keeps R or 1/m from the frame before is right, and misses only where the experiment has changed the state.
         /// </summary>
         private void ForgiveWhatWasKept()
         {
@@ -142,8 +142,8 @@ namespace RigidBodyDynamics.Judging
         }
 
         /// <summary>
-        /// What one frame leaves open, the others decide: two coefficients found in one frame are believed where nearly all frames agree
-        /// that there are only two, and where gain and decay cannot be told apart the step that is off elsewhere is off here.
+        /// Resolves ambiguous frames by the others: two coefficients found in one frame are accepted where nearly all frames agree that
+        /// there are only two, and where gain and decay cannot be separated the step that is wrong elsewhere is wrong here.
         /// </summary>
         private void Resolve()
         {
@@ -158,14 +158,14 @@ namespace RigidBodyDynamics.Judging
             if (IsLimited)
                 Blame(Miss.Decay, Miss.Gain, free);
             bool gainIsOff = IsOff(Miss.Gain) || IsOff(Miss.Both), decayIsOff = IsOff(Miss.Decay, true) || IsOff(Miss.Both, true);
-            // what looks like another factor, in experiments alone where v and what is added to it have one direction, is not
+            // an apparent other factor, only in experiments where v and its gain have one direction, is none
             if (gainIsOff && !decayIsOff)
                 Blame(Miss.Decay, Miss.Gain, free);
             Blame(Miss.Either, gainIsOff || !(decayIsOff || IsOff(Miss.Decay, false)) ? Miss.Gain : Miss.Decay, free);
             Blame(Miss.Gain, Miss.Gain, free);
         }
 
-        /// <summary>Nearly all frames that show two coefficients have no more than two.</summary>
+        /// <summary>True if nearly all frames that show two coefficients have no more than two.</summary>
         private bool IsLinear()
         {
             int two = 0, fitted = 0;
@@ -178,7 +178,7 @@ namespace RigidBodyDynamics.Judging
             return fitted > 0.9 * two;
         }
 
-        /// <summary>The median factor where nothing pushes, which shows it alone.</summary>
+        /// <summary>The median factor where no force acts, so that only the factor changes the velocity.</summary>
         private double DecayWhereFree()
         {
             double free = Coefficients.Median(_matches.Where((m, i) => m.Miss == Miss.Decay && m.IsFree && Links[i].At.IsVaried).Select(m => m.Decay));

@@ -11,10 +11,10 @@ namespace RigidBodyDynamics.Judging
 
         public double Second { get; private set; }
 
-        /// <summary>What is left over.</summary>
+        /// <summary>The residual.</summary>
         public double Residual { get; private set; }
 
-        /// <summary>How far one of the two vectors sticks out of the other's line; small: the two coefficients cannot be told apart.</summary>
+        /// <summary>The distance of one vector from the line of the other; where it is small the two coefficients cannot be separated.</summary>
         public double Spread { get; private set; }
 
         /// <summary>y ≈ First · a.</summary>

@@ -4,7 +4,7 @@ using System.Linq;
 
 namespace RigidBodyDynamics.Judging
 {
-    /// <summary>How a script damps in the place of v ← 0.98 v, ω ← 0.98 ω.</summary>
+    /// <summary>How a script damps instead of v ← 0.98 v, ω ← 0.98 ω.</summary>
     internal sealed class DampingDiagnosis
     {
         private readonly Explanation _explanation;
@@ -60,7 +60,7 @@ namespace RigidBodyDynamics.Judging
             return off.All(s => s.IsConstant) ? "other-factor" : "damping-formula";
         }
 
-        /// <summary>0.98 at 50 frames a second, or e^(−Δt), and the same factor wherever the frame is as long.</summary>
+        /// <summary>True for 0.98 at 50 frames a second, or e^(−Δt), with the same factor in all frames of one length.</summary>
         private bool IsRate(bool v, bool w)
         {
             return (!v || IsRate(_explanation.Velocity)) && (!w || IsRate(_explanation.AngularVelocity));

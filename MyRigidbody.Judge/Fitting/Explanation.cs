@@ -3,7 +3,7 @@ using System.Linq;
 
 namespace RigidBodyDynamics.Judging
 {
-    /// <summary>All frames, read with one Δt: which steps are then off. The explanation with the fewest is the one that is told.</summary>
+    /// <summary>All frames, interpreted with one Δt: which steps are then wrong. The explanation with the fewest wrong steps is reported.</summary>
     internal sealed class Explanation
     {
         private readonly Travel _moving;
@@ -36,20 +36,20 @@ namespace RigidBodyDynamics.Judging
 
         public bool IsDampedRightly => _moving.IsDampedRightly && _turning.Value.IsDampedRightly;
 
-        /// <summary>Steps that are off, then steps that are read in another way than the sheet's.</summary>
+        /// <summary>The number of wrong steps, then of steps with another reading than the sheet's.</summary>
         public double Cost => Count(!Velocity.GainIsRight, !AngularVelocity.GainIsRight, !Position.IsRight, !Orientation.IsRight, !IsDampedRightly)
             + 0.3 * Count(Position.Code != null, Orientation.Code != null, AngularVelocity.Code != null);
 
-        /// <summary>What steps 1, 3 and 5 alone cost; ω has far more ways to be read than v, and need not be read where this is enough.</summary>
+        /// <summary>The cost of steps 1, 3 and 5 alone; ω has far more readings than v, and need not be tried where this is enough.</summary>
         public double LeastCost => Count(!Velocity.GainIsRight, !Position.IsRight, !_moving.IsDampedRightly) + 0.3 * Count(Position.Code != null);
 
-        /// <summary>What was found in a part of the frames, held against more of them.</summary>
+        /// <summary>The explanation of a part of the frames, tested on more of them.</summary>
         public Explanation In(Motion motion) => new Explanation(motion, this);
 
         private static int Count(params bool[] conditions) => conditions.Count(c => c);
     }
 
-    /// <summary>One of the two velocities, and what it carries on: steps 1 and 3, or 2 and 4.</summary>
+    /// <summary>One of the two velocities, and the pose that moves by it: steps 1 and 3, or 2 and 4.</summary>
     internal sealed class Travel
     {
         private const int Step = 100000;
@@ -69,7 +69,7 @@ namespace RigidBodyDynamics.Judging
         private double Cost => Chain.Cost + (Carry.IsRight ? 0 : Step + Carry.Missed.Count) + (Chain.DecayIsRight && !IsDampedRightly ? Step : 0)
             + (Carry.Code != null ? 0.3 * Step : 0) + (Chain.Order == Order.DecayGainDecay ? 0.5 : 0);
 
-        /// <summary>The reading of the gain that fits the most frames, and of the orders of gain and decay the one that leaves the least off.</summary>
+        /// <summary>The reading of the gain that fits most frames, and the order of gain and decay with the fewest wrong steps.</summary>
         public static Travel Best(GainReadings readings, TimeStep step, Func<Chain, Carry> carry)
         {
             Orders best = null;
@@ -85,7 +85,7 @@ namespace RigidBodyDynamics.Judging
             return Told(best, carry);
         }
 
-        /// <summary>By the reading that a part of the frames was best read by; all are tried anew where it was right there and is not here.</summary>
+        /// <summary>The reading that was best for a part of the frames; all are tried again where it was right there and is not here.</summary>
         public static Travel Like(Travel part, GainReadings readings, TimeStep step, Func<Chain, Carry> carry)
         {
             Orders orders = new Orders(readings.All[part.Chain.Reading], step);

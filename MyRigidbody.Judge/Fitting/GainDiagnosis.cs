@@ -4,10 +4,10 @@ using System.Linq;
 
 namespace RigidBodyDynamics.Judging
 {
-    /// <summary>What a script adds to v or ω in the place of Δt F/m or Δt I⁻¹τ.</summary>
+    /// <summary>What a script adds to v or ω instead of Δt F/m or Δt I⁻¹τ.</summary>
     internal sealed class GainDiagnosis
     {
-        /// <summary>A shape that comes later has to fit more by this share of the frames.</summary>
+        /// <summary>A later form has to fit more by this share of the frames.</summary>
         private const double BetterBy = 1e-3;
 
         private static readonly Source[] Sources = { Source.Variable, Source.Demanded };
@@ -30,7 +30,7 @@ namespace RigidBodyDynamics.Judging
             }
         }
 
-        /// <summary>Nothing is added at all.</summary>
+        /// <summary>True if nothing is added.</summary>
         public bool IsMissing => _share > 0.9 && _gains.Follow(_ => 0);
 
         public IEnumerable<Finding> Findings()
@@ -57,7 +57,7 @@ namespace RigidBodyDynamics.Judging
 
         private static Finding[] One(Step step, string code, string expected, string found) => new[] { Words.Finding(step, code, expected, found) };
 
-        /// <summary>What the coefficient is in the place of Δt; null where it is Δt.</summary>
+        /// <summary>What the script has in place of Δt; null where it is Δt.</summary>
         private string FactorCode(string letter)
         {
             Func<Observation, double> h = _chain.Step.At;
@@ -90,7 +90,7 @@ namespace RigidBodyDynamics.Judging
 
         private void Try(GainShape shape, Source source)
         {
-            // none can fit more
+            // no other form can fit more
             if (_share >= 1 - BetterBy)
                 return;
             Samples gains = new Samples(2e-3), kept = new Samples(2e-3);
@@ -109,7 +109,7 @@ namespace RigidBodyDynamics.Judging
                 if (two.Residual > 2 * link.Tolerance(Math.Abs(two.Second)))
                     continue;
                 fitted++;
-                // where nothing is kept of the old velocity, the factor of step 5 is still in the gain
+                // where the old velocity is not kept, the gain still contains the factor of step 5
                 gains.Add(link.At, two.Second / (_chain.DecaysFirst ? 1 : Math.Abs(two.First) < 1e-3 ? Sheet.Decay : two.First));
                 kept.Add(link.At, Math.Abs(two.First) < 1e-3 ? 0 : two.First);
             }

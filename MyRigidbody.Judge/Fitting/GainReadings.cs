@@ -4,16 +4,16 @@ using System.Linq;
 
 namespace RigidBodyDynamics.Judging
 {
-    /// <summary>One velocity through all frames, with the gain read in one way.</summary>
+    /// <summary>One velocity through all frames, with one reading of the gain.</summary>
     internal sealed class Links
     {
         private readonly Lazy<Link[]> _all;
 
-        /// <param name="number">Of the reading: the same in any choice of frames.</param>
-        /// <param name="source">Where the force or the torque is taken from.</param>
+        /// <param name="number">The number of the reading, the same for any choice of frames.</param>
+        /// <param name="source">The source of the force or the torque.</param>
         /// <param name="frames">The velocity before and after each frame.</param>
-        /// <param name="gain">What the velocity of the frame with this index gains in a second.</param>
-        /// <param name="code">What an instructor decides about the gain; null: it is the sheet's.</param>
+        /// <param name="gain">The gain of velocity in a second, in the frame with this index.</param>
+        /// <param name="code">What an instructor has to decide about the gain; null: it is the sheet's.</param>
         public Links(int number, Source source, VelocityFrames frames, Func<int, Vector> gain, string code = null)
         {
             Number = number;
@@ -31,11 +31,11 @@ namespace RigidBodyDynamics.Judging
 
         public Link[] All => _all.Value;
 
-        /// <summary>What the frames say if nothing pushes: no reading, time step or order makes a difference there.</summary>
+        /// <summary>The matches of the frames without forces: no reading, time step or order makes a difference there.</summary>
         public Match[] Unpushed { get; }
     }
 
-    /// <summary>One velocity through all frames, before anything is said of its gain.</summary>
+    /// <summary>One velocity through all frames, without a reading of its gain.</summary>
     internal sealed class VelocityFrames
     {
         public VelocityFrames(IEnumerable<Observation> frames, Func<Snapshot, Vector?> velocity)
@@ -52,11 +52,11 @@ namespace RigidBodyDynamics.Judging
 
         public Match[] Matches { get; }
 
-        /// <summary>The velocity keeps its direction, whatever pushes: no reading of its gain is better than another.</summary>
+        /// <summary>True if the velocity keeps its direction under any force: no reading of its gain is better than another.</summary>
         public bool GainsNothing { get; }
     }
 
-    /// <summary>Every way in which the gain of one velocity may rightly be read, the likeliest first.</summary>
+    /// <summary>Every admissible reading of the gain of one velocity, the most likely first.</summary>
     internal sealed class GainReadings
     {
         private readonly Func<IEnumerable<int>> _different;
@@ -64,7 +64,7 @@ namespace RigidBodyDynamics.Judging
 
         /// <param name="all">The readings, by their numbers.</param>
         /// <param name="different">The numbers of those that are not the same as an earlier one in every frame.</param>
-        /// <param name="isOneEnough">No reading is better than another.</param>
+        /// <param name="isOneEnough">True if no reading is better than another.</param>
         public GainReadings(IReadOnlyList<Links> all, Func<IEnumerable<int>> different, bool isOneEnough)
         {
             All = all;

@@ -3,7 +3,7 @@ using System.Collections.Generic;
 
 namespace RigidBodyDynamics.Judging
 {
-    /// <summary>What scripts have been seen to add to a velocity, beside what the sheet adds.</summary>
+    /// <summary>What scripts are known to add to a velocity, other than the sheet's formula.</summary>
     internal sealed class GainShape
     {
         private GainShape(string code, string formula, Func<Observation, Vector, Vector> gain)
@@ -18,7 +18,7 @@ namespace RigidBodyDynamics.Judging
 
         public string Formula { get; }
 
-        /// <summary>Of the force or the torque, before the time step.</summary>
+        /// <summary>The gain from the force or the torque, before the time step.</summary>
         public Func<Observation, Vector, Vector> Gain { get; }
 
         public static readonly IReadOnlyList<GainShape> OfForce = new[]

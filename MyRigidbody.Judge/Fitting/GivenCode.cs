@@ -4,7 +4,7 @@ using System.Linq;
 
 namespace RigidBodyDynamics.Judging
 {
-    /// <summary>The code that the sheet hands out: the keys' forces, the torque, I_ref.</summary>
+    /// <summary>The given code of the sheet: the keys' forces, the torque, I_ref.</summary>
     internal static class GivenCode
     {
         public static IEnumerable<Finding> Findings(IReadOnlyList<Observation> frames, Explanation explanation)
@@ -16,9 +16,8 @@ namespace RigidBodyDynamics.Judging
         }
 
         /// <summary>
-        /// The variable is not what the keys demand, and it is the variable that the steps use. Steps that are
-        /// right with the keys' own values do not use it; beside steps that are off, one that is zero after every frame has been cleared and says
-        /// nothing.
+        /// Finds a variable that differs from the keys' value and that the steps use. Steps that are right with the keys' own values do
+        /// not use it; where steps are wrong, a variable that is zero after every frame has been cleared and proves nothing.
         /// </summary>
         private static IEnumerable<Finding> Push(string code, Observation[] frames, Chain chain, Func<Observation, Vector?> variable, Func<Observation, Vector> keys)
         {
@@ -40,7 +39,7 @@ namespace RigidBodyDynamics.Judging
             }
         }
 
-        /// <summary>The body is at rest when the scene begins.</summary>
+        /// <summary>Tests that the body is at rest when the scene begins.</summary>
         private static IEnumerable<Finding> Start(IReadOnlyList<Observation> frames)
         {
             Observation first = frames[0];
@@ -51,7 +50,7 @@ namespace RigidBodyDynamics.Judging
 
         private static bool Differs(Vector a, Vector b) => !((a - b).Length <= 1e-4 * (1 + b.Length));
 
-        /// <summary>I_ref of the mesh or of the cube, or the inverse of one of them.</summary>
+        /// <summary>True for I_ref of the mesh or of the cube, or the inverse of one of them.</summary>
         private static bool IsInertia(Matrix found, Observation at)
         {
             Matrix mesh = at.Mass * at.Run.InertiaOfMesh, cube = (at.Mass / 2) * Matrix.Identity;

@@ -3,12 +3,12 @@ using System.Collections.Generic;
 
 namespace RigidBodyDynamics.Judging
 {
-    /// <summary>What a script may rightly take for I_ref, and for R.</summary>
+    /// <summary>Admissible values of I_ref and R in a script.</summary>
     internal static class Inertias
     {
         public static readonly IReadOnlyList<Func<Observation, Matrix>> References = new Func<Observation, Matrix>[] { Kept, OfMesh, AtStart, OfCube };
 
-        /// <summary>R of the orientation before the frame, of the script's own quaternion of whatever length, and after the frame.</summary>
+        /// <summary>R of the orientation before the frame, of the script's own quaternion of any length, and after the frame.</summary>
         public static readonly IReadOnlyList<Func<Observation, Matrix>> Rotations = new Func<Observation, Matrix>[]
         {
             o => Matrix.Rotation(o.Before.Orientation.Normalized),
@@ -31,7 +31,7 @@ namespace RigidBodyDynamics.Judging
 
         private static Matrix OfCube(Observation o) => (o.Mass / 2) * Matrix.Identity;
 
-        /// <summary>The matrix, or its inverse where it is the inverse that the mesh has.</summary>
+        /// <summary>The matrix, or its inverse where it equals the inverse of the mesh's.</summary>
         private static Matrix Upright(Matrix kept, Matrix mesh)
         {
             Matrix inverse = mesh.Inverse;

@@ -2,27 +2,27 @@ using System;
 
 namespace RigidBodyDynamics.Judging
 {
-    /// <summary>What a frame says against v′ = 0.98 (v + Δt g), where g is F/m, or I⁻¹τ for the angular velocity.</summary>
+    /// <summary>How a frame differs from v′ = 0.98 (v + Δt g), where g is F/m, or I⁻¹τ for the angular velocity.</summary>
     internal enum Miss
     {
         None,
 
-        /// <summary>What is added is not Δt g.</summary>
+        /// <summary>The gain is not Δt g.</summary>
         Gain,
 
         /// <summary>The factor is not 0.98.</summary>
         Decay,
 
-        /// <summary>One of the two: v and g have one direction.</summary>
+        /// <summary>One of the two, because v and g have one direction.</summary>
         Either,
 
         Both,
 
-        /// <summary>Nothing can be seen in this frame.</summary>
+        /// <summary>The frame shows nothing.</summary>
         Unseen,
     }
 
-    /// <summary>One frame of a velocity: what it was, became, and should have gained in a second.</summary>
+    /// <summary>A velocity in one frame: before, after, and its expected gain in a second.</summary>
     internal readonly struct Link
     {
         private readonly double _size;
@@ -53,20 +53,20 @@ namespace RigidBodyDynamics.Judging
 
         public Vector Gain { get; }
 
-        /// <summary>A gain of zero can be read in one way only.</summary>
+        /// <summary>False for a gain of zero, which has only one reading.</summary>
         public bool IsPushed => _gained != 0;
 
-        /// <summary>The same frame, with its gain read in another way.</summary>
+        /// <summary>The same frame with another reading of its gain.</summary>
         public Link With(Vector gain) => new Link(this, gain);
 
-        /// <summary>How far rounding in single precision can have moved the velocity.</summary>
+        /// <summary>The largest effect of rounding in single precision on the velocity.</summary>
         public double Tolerance(double h) => 3e-6 * _size + 3e-5 * h * _gained + 1e-7;
     }
 
-    /// <summary>One frame held against the sheet's formula, and the coefficients that it has instead.</summary>
+    /// <summary>One frame compared with the sheet's formula, and its actual coefficients.</summary>
     internal struct Match
     {
-        /// <summary>A velocity that grows by more than half in a frame is not damped wrongly: something is added to it.</summary>
+        /// <summary>A velocity that grows by more than half in a frame is not wrongly damped: something is added to it.</summary>
         private const double MostKept = 1.5;
 
         private readonly double _keptOfTwo;
@@ -124,21 +124,21 @@ namespace RigidBodyDynamics.Judging
 
         public Miss Miss { get; private set; }
 
-        /// <summary>The factor of step 5 in this frame; not a number where it cannot be told.</summary>
+        /// <summary>The factor of step 5 in this frame; NaN where it cannot be determined.</summary>
         public double Decay { get; private set; }
 
         public bool IsOff => Miss != Miss.None && Miss != Miss.Unseen;
 
-        /// <summary>It looked like another factor, and other frames have shown that it is the gain.</summary>
+        /// <summary>True if other frames have shown that the gain is wrong, and not the factor.</summary>
         public bool IsBlamed { get; private set; }
 
-        /// <summary>Nothing pushes in this frame: only the factor is seen.</summary>
+        /// <summary>True if no force acts in this frame: only the factor is visible.</summary>
         public bool IsFree { get; }
 
-        /// <summary>What is kept and what is gained can be told apart.</summary>
+        /// <summary>True if gain and decay can be separated.</summary>
         public bool HasTwo { get; private set; }
 
-        /// <summary>The frame is a multiple of v and a multiple of g.</summary>
+        /// <summary>True if the frame is the sum of a multiple of v and a multiple of g.</summary>
         public bool FitsTwo { get; }
 
         public void Resolve(bool isLinear, double decayWhereFree)

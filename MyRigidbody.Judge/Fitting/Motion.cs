@@ -4,7 +4,7 @@ using System.Linq;
 
 namespace RigidBodyDynamics.Judging
 {
-    /// <summary>All frames, and every way in which their gains may rightly be read: where the force comes from, which R and which I_ref.</summary>
+    /// <summary>All frames, and every admissible reading of their gains: the source of the force, which R and which I_ref.</summary>
     internal sealed class Motion
     {
         private static readonly Source[] Sources = { Source.Variable, Source.Demanded, Source.Keys, Source.Earlier };
@@ -32,7 +32,7 @@ namespace RigidBodyDynamics.Judging
         private static GainReadings OfTorques(VelocityFrames frames)
         {
             Lazy<Vector[]>[] torques = Each(Sources, source => Array.ConvertAll(frames.At, o => o.Torque(source)));
-            // elsewhere nobody asks for I
+            // only frames with a torque need I
             Lazy<bool[]> isPushed = new Lazy<bool[]>(() => frames.At.Select((o, i) => o.IsTurnKnown && torques.Any(torque => !torque.Value[i].Equals(Vector.Zero))).ToArray());
             Matrix[] WherePushed(Func<int, Matrix> matrix) => isPushed.Value.Select((isPushedHere, i) => isPushedHere ? matrix(i) : default(Matrix)).ToArray();
             Lazy<Matrix[]>[] references = Each(Inertias.References, reference => WherePushed(i => reference(frames.At[i])));
@@ -80,7 +80,7 @@ namespace RigidBodyDynamics.Judging
 
         private static Lazy<T[]>[] Each<TOne, T>(IEnumerable<TOne> all, Func<TOne, T[]> rows) => all.Select(one => new Lazy<T[]>(() => rows(one))).ToArray();
 
-        /// <summary>The rows that are not the same as an earlier one.</summary>
+        /// <summary>The rows that differ from all earlier ones.</summary>
         private static int[] Different<T>(Lazy<T[]>[] rows) where T : IEquatable<T> =>
             Enumerable.Range(0, rows.Length).Where(row => !rows.Take(row).Any(earlier => earlier.Value.SequenceEqual(rows[row].Value))).ToArray();
 
@@ -94,7 +94,7 @@ namespace RigidBodyDynamics.Judging
             return torque.Equals(Vector.Zero) ? torque : inverse * torque;
         }
 
-        /// <summary>I⁻¹ (τ − ω × I ω), which is what a body does and the sheet leaves out.</summary>
+        /// <summary>I⁻¹ (τ − ω × I ω), with the gyroscopic term that the sheet omits.</summary>
         private static Vector WithGyroscopicTerm(Observation o, Vector torque)
         {
             Matrix r = Inertias.Rotations[0](o), i = r * Inertias.Kept(o) * r.Transpose;

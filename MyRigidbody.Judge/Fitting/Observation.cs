@@ -4,23 +4,23 @@ using System.Linq;
 
 namespace RigidBodyDynamics.Judging
 {
-    /// <summary>Where the force or the torque of a frame is taken from.</summary>
+    /// <summary>The source of the force or the torque of a frame.</summary>
     internal enum Source
     {
-        /// <summary>The script's variable as the frame left it.</summary>
+        /// <summary>The script's variable after the frame.</summary>
         Variable,
 
-        /// <summary>What the experiment demanded: our own, or the keys'.</summary>
+        /// <summary>The value that the experiment demanded: its own, or the keys'.</summary>
         Demanded,
 
-        /// <summary>The keys', whatever the variable says.</summary>
+        /// <summary>The keys' value, whatever the variable is.</summary>
         Keys,
 
-        /// <summary>The script's variable as the frame before left it.</summary>
+        /// <summary>The script's variable after the frame before.</summary>
         Earlier,
     }
 
-    /// <summary>One frame of one experiment, ready to be fitted.</summary>
+    /// <summary>One frame of one experiment, prepared for fitting.</summary>
     internal sealed class Observation
     {
         private readonly Frame _frame;
@@ -42,7 +42,7 @@ namespace RigidBodyDynamics.Judging
 
         public Run Run { get; }
 
-        /// <summary>Of the frame, from 0 in its experiment.</summary>
+        /// <summary>The number of the frame, from 0 in its experiment.</summary>
         public int Index { get; }
 
         public double Time { get; }
@@ -53,25 +53,25 @@ namespace RigidBodyDynamics.Judging
 
         public Snapshot After => _frame.After;
 
-        /// <summary>In an experiment that sets states, forces and torques anew: nothing is in line with anything else by chance for long.</summary>
+        /// <summary>True in an experiment that sets states, forces and torques anew, so that directions do not coincide for long.</summary>
         public bool IsVaried { get; }
 
         public bool IsSetAnew => _frame.IsSetAnew;
 
-        /// <summary>No force or torque of the experiment's own: what the keys give can be compared.</summary>
+        /// <summary>True if the experiment sets no force or torque, so that the keys' values can be compared.</summary>
         public bool IsLeftToKeys => _frame.GivenForce == null && _frame.GivenTorque == null;
 
-        /// <summary>R is one: the quaternions are numbers, and the script's own has not grown beyond use.</summary>
+        /// <summary>True if R is known: the quaternions are finite, and the length of the script's own is usable.</summary>
         public bool IsTurnKnown { get; }
 
         public double Mass => Before.Mass ?? 1;
 
         public Vector Moved => After.Position - Before.Position;
 
-        /// <summary>The turn of the frame, from the world's side.</summary>
+        /// <summary>The rotation of the frame, in world axes.</summary>
         public Orientation Turn { get; }
 
-        /// <summary>The turn of the frame, from the body's side.</summary>
+        /// <summary>The rotation of the frame, in body axes.</summary>
         public Orientation TurnInBody => Before.Orientation.Conjugate * After.Orientation;
 
         public Vector KeyForce { get; }

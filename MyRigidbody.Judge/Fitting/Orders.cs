@@ -17,7 +17,7 @@ namespace RigidBodyDynamics.Judging
         DecayGainDecay,
     }
 
-    /// <summary>One reading of the gain with the three orders of gain and decay, that of the sheet first; each is looked at when it is asked for.</summary>
+    /// <summary>One reading of the gain with the three orders of gain and decay, the sheet's first; each is computed when it is read.</summary>
     internal sealed class Orders : IEnumerable<Chain>
     {
         private static readonly Order[] All = { Order.GainThenDecay, Order.DecayThenGain, Order.DecayGainDecay };
@@ -34,7 +34,7 @@ namespace RigidBodyDynamics.Judging
 
         public bool GainIsRight => this.Any(chain => chain.GainIsRight);
 
-        /// <summary>Of the order that costs the least; none costs less than nothing.</summary>
+        /// <summary>The cost of the cheapest order; no cost is below zero.</summary>
         public int Cost
         {
             get

@@ -4,12 +4,12 @@ using System.Linq;
 
 namespace RigidBodyDynamics.Judging
 {
-    /// <summary>How a script turns in the place of q ← q + [0, ½Δt ω] q.</summary>
+    /// <summary>How a script rotates instead of q ← q + [0, ½Δt ω] q.</summary>
     internal static class OrientationDiagnosis
     {
         private const string Expected = "Δq = [0, ½Δt ω] q";
 
-        /// <summary>A quaternion of the script's own that is longer than this is not brought back to length 1.</summary>
+        /// <summary>A quaternion of the script's own that is longer than this is not normalised.</summary>
         private const double Longest = 1.05;
 
         private static readonly CarryShape[] Shapes =
@@ -27,7 +27,7 @@ namespace RigidBodyDynamics.Judging
             new CarryShape("quaternion-arguments", "[½ω, 0]", o => Shifted(o)),
         };
 
-        /// <summary>Frames in which the script's own quaternion is not brought back to length 1.</summary>
+        /// <summary>Frames in which the script's own quaternion is not normalised.</summary>
         public static Observation Lengthening(IReadOnlyList<Observation> frames) =>
             frames.FirstOrDefault(o => o.Before.OwnOrientation.HasValue && Math.Abs(o.After.OwnOrientation.Value.Length - 1) > Longest - 1);
 
@@ -41,7 +41,7 @@ namespace RigidBodyDynamics.Judging
             string factor = d.Factor(explanation.Step), found = $"{Text.Of(d.Gains.Median)} · {d.Shape.Formula}", shape = d.Shape.Code;
             if (factor == "degrees" || factor == "degrees-no-dt")
                 return shape == null || shape == "exact-turn" || shape == "euler-turn" ? One("rotate-degrees", found) : One("rotate-degrees", found).Concat(One("rotate-in-body-axes", found));
-            // a turn about the world's axes by another angle: how it is made matters less than the angle
+            // a rotation about the world's axes by another angle: the angle matters more than the formula
             string[] codes = { shape == "exact-turn" || shape == "euler-turn" ? null : shape, Code(factor) };
             Finding[] findings = codes.Where(c => c != null).SelectMany(c => One(c, found)).ToArray();
             return shape == "q-assigned" ? One(shape, found) : findings.Length > 0 ? findings : One(Other(explanation), found);
@@ -81,13 +81,13 @@ namespace RigidBodyDynamics.Judging
             return 2 * ((q0.W / q1.W) * q1.Imaginary - q0.Imaginary);
         }
 
-        /// <summary>k ω of [0, ω] q, where nothing is added to: half a turn about ω.</summary>
+        /// <summary>k ω of [0, ω] q, where nothing is added: half a revolution about ω.</summary>
         private static Vector Pure(Observation o) => Math.Abs(o.Turn.W) < 1e-3 ? o.Turn.Imaginary : new Vector(double.NaN, 0, 0);
 
-        /// <summary>k ω where the components stand in the order of the formula, the scalar first, and Unity takes them as x, y, z, w.</summary>
+        /// <summary>k ω where the components are in the order of the formula, the scalar first, and Unity reads them as x, y, z, w.</summary>
         private static Vector Shifted(Observation o)
         {
-            // q1 ∝ (1 + ½k (0, ωx, ωy | ωz)) q0: turn ∝ vector (0, ½kωx, ½kωy), scalar 1 + ½kωz
+            // q1 ∝ (1 + ½k (0, ωx, ωy | ωz)) q0: rotation ∝ vector (0, ½kωx, ½kωy), scalar 1 + ½kωz
             Orientation t = o.Turn;
             Vector w = o.After.AngularVelocity ?? Vector.Zero;
             double along = 2 * t.Imaginary.Y / (t.W * w.X - t.Imaginary.Y * w.Z);

@@ -3,7 +3,7 @@ using System.Linq;
 
 namespace RigidBodyDynamics.Judging
 {
-    /// <summary>How a script moves in the place of x ← x + Δt v.</summary>
+    /// <summary>How a script moves instead of x ← x + Δt v.</summary>
     internal static class PositionDiagnosis
     {
         private const string Expected = "Δx = Δt v";
@@ -42,7 +42,7 @@ namespace RigidBodyDynamics.Judging
 
         private static Finding[] One(string code, string found) => new[] { Words.Finding(Step.Position, code, Expected, found) };
 
-        /// <summary>Δx = Δt v + r F/m with another r than the two readings have.</summary>
+        /// <summary>Δx = Δt v + r F/m with another r than in the two readings.</summary>
         private static string Acceleration(Explanation explanation)
         {
             Chain chain = explanation.Velocity;

@@ -4,10 +4,10 @@ using System.Linq;
 
 namespace RigidBodyDynamics.Judging
 {
-    /// <summary>What a script may take for Δt: the frame's own length, or one number.</summary>
+    /// <summary>What a script uses for Δt: the frame's own length, or one number.</summary>
     internal sealed class TimeStep
     {
-        /// <summary>Longer than any frame a sheet means: a constant beyond it is no time step.</summary>
+        /// <summary>The longest frame of a sheet, s: a larger constant is not a time step.</summary>
         private const double Longest = 0.1;
 
         private readonly double? _constant;
@@ -22,7 +22,7 @@ namespace RigidBodyDynamics.Judging
 
         public double At(Observation o) => _constant ?? (float)o.Delta;
 
-        /// <summary>The two usual ones first, then what the coefficients of the steps point to.</summary>
+        /// <summary>The two usual ones first, then those that the coefficients of the steps suggest.</summary>
         public static IReadOnlyList<TimeStep> Candidates(IEnumerable<double> coefficients)
         {
             List<double> constants = new List<double>();
@@ -41,7 +41,7 @@ namespace RigidBodyDynamics.Judging
     /// <summary>The numbers of the sheet.</summary>
     internal static class Sheet
     {
-        /// <summary>What v and ω are multiplied by once a step.</summary>
+        /// <summary>The factor of v and ω once a step.</summary>
         public const double Decay = 0.98;
     }
 }

@@ -2,14 +2,14 @@ using System;
 
 namespace RigidBodyDynamics.Judging
 {
-    /// <summary>A turn as a vector, in the ways in which scripts make one of ω.</summary>
+    /// <summary>A rotation as a vector, in the forms in which scripts compute one from ω.</summary>
     internal static class Turns
     {
-        /// <summary>2 · vector / scalar: k ω for q + [0, ½k ω] q, whatever the length.</summary>
+        /// <summary>2 · vector / scalar: k ω for q + [0, ½k ω] q, for any length.</summary>
         public static Vector FirstOrder(Orientation turn) =>
             Math.Abs(turn.W) > 0.02 * turn.Imaginary.Length ? (2 / turn.W) * turn.Imaginary : new Vector(double.NaN, double.NaN, double.NaN);
 
-        /// <summary>Angle times axis: k ω for a turn by the angle k |ω|.</summary>
+        /// <summary>Angle times axis: k ω for a rotation by the angle k |ω|.</summary>
         public static Vector Exact(Orientation turn)
         {
             double sine = turn.Imaginary.Length, angle = 2 * Math.Atan2(sine, Math.Abs(turn.W));
@@ -27,7 +27,7 @@ namespace RigidBodyDynamics.Judging
                 Math.Atan2(2 * (q.W * q.Z + q.X * q.Y), 1 - 2 * (q.X * q.X + q.Z * q.Z)));
         }
 
-        /// <summary>Rounding of two quaternions in single precision moves the turn between them by so much.</summary>
+        /// <summary>The effect of rounding two quaternions to single precision on the rotation between them.</summary>
         public static double Tolerance(Vector turn) => (3e-6 + 1e-5 * turn.Length) * (1 + Vector.Dot(turn, turn));
     }
 }

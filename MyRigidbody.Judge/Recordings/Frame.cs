@@ -1,6 +1,6 @@
 namespace RigidBodyDynamics.Judging
 {
-    /// <summary>What can be read of a script and its object at one moment; null where the script has no such variable. SI units, world axes.</summary>
+    /// <summary>The state of a script and its object at one moment; null where the script has no such variable. SI units, world axes.</summary>
     public sealed class Snapshot
     {
         /// <summary>transform.position.</summary>
@@ -9,7 +9,7 @@ namespace RigidBodyDynamics.Judging
         /// <summary>transform.rotation.</summary>
         public Orientation Orientation { get; internal set; }
 
-        /// <summary>The script's own quaternion, of whatever length; null where it has none.</summary>
+        /// <summary>The script's own quaternion, of any length; null where it has none.</summary>
         public Orientation? OwnOrientation { get; internal set; }
 
         public Vector? Velocity { get; internal set; }
@@ -22,11 +22,11 @@ namespace RigidBodyDynamics.Judging
 
         public double? Mass { get; internal set; }
 
-        /// <summary>I_ref, or its inverse where the script keeps that.</summary>
+        /// <summary>I_ref, or its inverse where the script stores that.</summary>
         public Matrix? Inertia { get; internal set; }
     }
 
-    /// <summary>One frame: what the script knew before, what it was told, what it left.</summary>
+    /// <summary>One frame: the script's state before it, its input, and its state after it.</summary>
     public sealed class Frame
     {
         internal Frame(FrameInput input, Snapshot before, Snapshot after, bool isSetAnew, Vector? force, Vector? torque)
@@ -45,10 +45,10 @@ namespace RigidBodyDynamics.Judging
 
         public Snapshot After { get; }
 
-        /// <summary>The experiment wrote to the script's variables just before this frame.</summary>
+        /// <summary>True if the experiment wrote to the script's variables just before this frame.</summary>
         public bool IsSetAnew { get; }
 
-        /// <summary>The force that the experiment put in the place of the keys' during the frame; null: the keys' own.</summary>
+        /// <summary>The force of the experiment in place of the keys' during the frame; null: the keys' own.</summary>
         public Vector? GivenForce { get; }
 
         /// <summary>As <see cref="GivenForce"/>.</summary>

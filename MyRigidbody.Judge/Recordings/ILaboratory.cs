@@ -18,23 +18,23 @@ namespace RigidBodyDynamics.Judging
     /// <summary>An engine in which a script can be played: the stand-in, or a window of the editor.</summary>
     public interface ILaboratory
     {
-        /// <summary>Where the object is, as the engine holds it.</summary>
+        /// <summary>The pose of the object in the engine.</summary>
         Pose Pose { get; set; }
 
-        /// <summary>Called when the script asks for one of the five keys, before it is answered. An engine that cannot do so ignores it.</summary>
+        /// <summary>Called when the script reads one of the five keys, before the answer. An engine that cannot do so ignores it.</summary>
         Action<Keys> KeyAsked { set; }
 
-        /// <summary>A new object with a new script on it, which is returned; neither Awake nor Start has run.</summary>
+        /// <summary>Creates an object with a new script, which is returned; neither Awake nor Start has run.</summary>
         object Begin(Setting setting);
 
-        /// <summary>Awake, OnEnable and Start of the script.</summary>
+        /// <summary>Runs Awake, OnEnable and Start of the script.</summary>
         void Start();
 
-        /// <summary>One frame: FixedUpdate once, Update once, LateUpdate once.</summary>
+        /// <summary>Plays one frame: FixedUpdate once, Update once, LateUpdate once.</summary>
         void Frame(FrameInput input);
     }
 
-    /// <summary>The object that the script is on.</summary>
+    /// <summary>The object of the script.</summary>
     public sealed class Setting
     {
         public Setting(Pose pose, Vector scale, IReadOnlyList<Vector> vertices)
@@ -49,7 +49,7 @@ namespace RigidBodyDynamics.Judging
         /// <summary>transform.localScale.</summary>
         public Vector Scale { get; }
 
-        /// <summary>The mesh's, not scaled; 24 as Unity's cube has them.</summary>
+        /// <summary>The vertices of the mesh, not scaled; 24 as for Unity's cube.</summary>
         public IReadOnlyList<Vector> Vertices { get; }
     }
 
@@ -67,7 +67,7 @@ namespace RigidBodyDynamics.Judging
         public Orientation Orientation { get; }
     }
 
-    /// <summary>What the engine tells the script in one frame; times in seconds.</summary>
+    /// <summary>The engine's input of one frame; times in seconds.</summary>
     public struct FrameInput
     {
         public FrameInput(int number, double time, double delta, Keys held)

@@ -20,18 +20,18 @@ namespace RigidBodyDynamics.Judging
 
         public Setting Setting { get; }
 
-        /// <summary>I_ref as Start left it, before the experiment put another in its place.</summary>
+        /// <summary>I_ref after Start, before the experiment replaced it.</summary>
         public Matrix? InertiaAtStart { get; }
 
         public IReadOnlyList<Frame> Frames { get; }
 
-        /// <summary>Σ m (r·r 1 − r rᵀ) of the mesh for a mass of 1 kg; every frame asks for it.</summary>
+        /// <summary>Σ m (r·r 1 − r rᵀ) of the mesh for a mass of 1 kg; cached, because every frame needs it.</summary>
         internal Matrix InertiaOfMesh => _inertiaOfMesh ?? (_inertiaOfMesh = Matrix.InertiaOf(Setting.Vertices)).Value;
 
         internal bool IsVaried => Frames.Count > 0 && Frames[0].IsSetAnew;
     }
 
-    /// <summary>All that was seen of a script; plain numbers, which can be sent from one process to another.</summary>
+    /// <summary>All that was recorded of a script; plain numbers, which can be sent from one process to another.</summary>
     public sealed class Recording
     {
         internal Recording(IReadOnlyList<Run> runs, IReadOnlyDictionary<string, string> variables)
@@ -40,12 +40,12 @@ namespace RigidBodyDynamics.Judging
             Variables = variables;
         }
 
-        /// <summary>The first is the lab's own scene, left to itself; the second is a turned box.</summary>
+        /// <summary>The first is the lab's own scene without changes; the second is a rotated box.</summary>
         public IReadOnlyList<Run> Runs { get; }
 
         /// <summary>
-        /// Which of the script's variables is taken for what: Force, Torque, Velocity, AngularVelocity, Position, Orientation, Mass, Inertia.
-        /// What has no variable is not there.
+        /// The name of the script's variable for each role: Force, Torque, Velocity, AngularVelocity, Position, Orientation, Mass, Inertia.
+        /// A role without a variable is absent.
         /// </summary>
         public IReadOnlyDictionary<string, string> Variables { get; }
 

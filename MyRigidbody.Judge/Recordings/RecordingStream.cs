@@ -106,7 +106,7 @@ namespace RigidBodyDynamics.Judging
         }
     }
 
-    /// <summary>Reads what <see cref="RecordingWriter"/> wrote.</summary>
+    /// <summary>Reads the output of <see cref="RecordingWriter"/>.</summary>
     internal sealed class RecordingReader
     {
         /// <summary>More runs, vertices or frames than any experiment has: the stream is not a recording.</summary>

@@ -1,6 +1,6 @@
 namespace RigidBodyDynamics.Judging
 {
-    /// <summary>One thing that was measured and is not as the sheet has it, with one sentence of help in each language.</summary>
+    /// <summary>One difference from the sheet, measured, with one sentence of help in each language.</summary>
     public sealed class Finding
     {
         public Finding(Step step, string code, string expected, string found, string english, string chinese)
@@ -18,16 +18,16 @@ namespace RigidBodyDynamics.Judging
         /// <summary>A short word for the kind, such as <c>half-missing</c>.</summary>
         public string Code { get; }
 
-        /// <summary>An instructor decides whether it counts.</summary>
+        /// <summary>True if an instructor decides whether it counts.</summary>
         public bool IsDoubtful { get; private set; }
 
-        /// <summary>The line of the script, from 1; null where nobody has looked it up.</summary>
+        /// <summary>The line of the script, from 1; null where it is unknown.</summary>
         public int? Line { get; private set; }
 
-        /// <summary>The first frame in which it shows, from 0 in its experiment; null where it is not seen in a frame.</summary>
+        /// <summary>The first frame in which it shows, from 0 in its experiment; null where it does not belong to a frame.</summary>
         public int? Since { get; private set; }
 
-        /// <summary>The experiment in which <see cref="Since"/> counts.</summary>
+        /// <summary>The experiment of <see cref="Since"/>.</summary>
         public string Experiment { get; private set; }
 
         public string Expected { get; }

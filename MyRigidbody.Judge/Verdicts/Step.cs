@@ -1,6 +1,6 @@
 namespace RigidBodyDynamics.Judging
 {
-    /// <summary>What a finding is about: one of the sheet's five steps, the code that was given, or what surrounds them.</summary>
+    /// <summary>The subject of a finding: one of the sheet's five steps, the given code, or the code around them.</summary>
     public enum Step
     {
         Given,
@@ -14,7 +14,7 @@ namespace RigidBodyDynamics.Judging
         Name,
     }
 
-    /// <summary>What is said of one step.</summary>
+    /// <summary>The mark of one step.</summary>
     public enum Mark
     {
         Right,
@@ -26,11 +26,11 @@ namespace RigidBodyDynamics.Judging
         /// <summary>Not done.</summary>
         Missing,
 
-        /// <summary>It could not be seen.</summary>
+        /// <summary>It could not be observed.</summary>
         Unknown,
     }
 
-    /// <summary>What is said of a script as a whole.</summary>
+    /// <summary>The result for a script as a whole.</summary>
     public enum Outcome
     {
         Right,

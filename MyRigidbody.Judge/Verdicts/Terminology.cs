@@ -17,7 +17,7 @@ namespace RigidBodyDynamics.Judging
     }
 
     /// <summary>
-    /// What the parts of a verdict are called, and the sheet's formulas: the same in the terminal, on all pages and in the editor.
+    /// The names of the parts of a verdict, and the sheet's formulas: the same in the terminal, on all pages and in the editor.
     /// </summary>
     public static class Terminology
     {
@@ -64,10 +64,10 @@ namespace RigidBodyDynamics.Judging
 
         public static Term Of(Mark mark) => Marks[mark];
 
-        /// <summary>An experiment of <see cref="Judging.Experiments"/>; any other keeps the name that it has.</summary>
+        /// <summary>The name of an experiment of <see cref="Judging.Experiments"/>; any other name is returned as it is.</summary>
         public static Term OfExperiment(string name) => Experiments.TryGetValue(name, out Term term) ? term : new Term(name, name);
 
-        /// <summary>What the sheet demands of one of the five steps.</summary>
+        /// <summary>The sheet's formula for one of the five steps.</summary>
         public static string Formula(Step step) => Formulas[step];
     }
 }

@@ -3,7 +3,7 @@ using System.Linq;
 
 namespace RigidBodyDynamics.Judging
 {
-    /// <summary>What is said of a script: a mark for each of the five steps, and the findings that the marks rest on.</summary>
+    /// <summary>The verdict on a script: a mark for each of the five steps, and the findings that justify the marks.</summary>
     public sealed class Verdict
     {
         public static readonly IReadOnlyList<Step> FiveSteps =
@@ -25,18 +25,18 @@ namespace RigidBodyDynamics.Judging
 
         public IReadOnlyList<Finding> Findings { get; }
 
-        /// <summary>The keys' forces, the torque or I_ref are not as they were handed out.</summary>
+        /// <summary>True if the keys' forces, the torque or I_ref differ from the given code.</summary>
         public bool GivenChanged => Findings.Any(f => f.Step == Step.Given);
 
         public Mark this[Step step] => _marks.TryGetValue(step, out Mark mark) ? mark : Mark.Unknown;
 
-        /// <summary>A script that was not run to its end.</summary>
+        /// <summary>The verdict on a script that was not run to its end.</summary>
         public static Verdict Refused(params Finding[] findings) => new Verdict(new Dictionary<Step, Mark>(), findings, true);
 
         /// <summary>The same marks with one more finding, about the name, the package or the code.</summary>
         public Verdict With(Finding finding) => new Verdict(_marks, Findings.Concat(new[] { finding }), Outcome == Outcome.Refused);
 
-        /// <summary>The same verdict with each finding changed, as by the line of the script that it is about.</summary>
+        /// <summary>The same verdict with each finding changed, for instance by its line of the script.</summary>
         public Verdict Each(System.Func<Finding, Finding> change) => new Verdict(_marks, Findings.Select(change), Outcome == Outcome.Refused);
 
         private Outcome Sum()

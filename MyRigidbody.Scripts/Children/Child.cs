@@ -4,15 +4,15 @@ using System.Text;
 
 namespace RigidBodyDynamics.StudentScripts.Children;
 
-/// <summary>The parent's side of a child process: it is watched while it works, and ended when it takes too much.</summary>
+/// <summary>The parent's side of a child process: it is watched while it works, and killed when it uses too much.</summary>
 internal sealed class Child : IDisposable
 {
-    /// <summary>How the empty folder of a child begins.</summary>
+    /// <summary>The prefix of the name of a child's empty folder.</summary>
     public const string FolderPrefix = "script-";
 
     private const int MostErrorText = 4000;
 
-    // a child's own heap; what it takes beside that is counted from outside
+    // the limit of a child's own heap; its other memory is measured from outside
     private const string HeapBytes = "0x18000000";
 
     private static readonly PosixSignal[] EndingSignals = [PosixSignal.SIGINT, PosixSignal.SIGTERM, PosixSignal.SIGHUP];
@@ -29,20 +29,20 @@ internal sealed class Child : IDisposable
         _process.ErrorDataReceived += (_, line) => Note(line.Data);
         _process.BeginErrorReadLine();
         AppDomain.CurrentDomain.ProcessExit += End;
-        // a signal ends this process without a word, and may have ended the child, which would take its folder away, as well
+        // a signal ends this process immediately; the child, which would delete its folder, may have got it, too
         _signals = [.. EndingSignals.Select(signal => PosixSignalRegistration.Create(signal, _ => End()))];
         Input = new BinaryWriter(_process.StandardInput.BaseStream);
         Output = new BinaryReader(new BufferedStream(_process.StandardOutput.BaseStream, 1 << 16));
     }
 
-    /// <summary>Whether the child is this program once more: it is a single file, without an assembly for the child beside it.</summary>
+    /// <summary>True if the child is this program once more: a single file, without an assembly for the child beside it.</summary>
     public static bool IsThisProgram => !File.Exists(Assembly);
 
     public BinaryWriter Input { get; }
 
     public BinaryReader Output { get; }
 
-    /// <summary>Processor time it has used, s, and memory it holds, bytes; zero when it has ended.</summary>
+    /// <summary>Processor time used, s, and memory held, bytes; zero after its end.</summary>
     public (double ProcessorTime, long Memory) Use
     {
         get
@@ -59,7 +59,7 @@ internal sealed class Child : IDisposable
         }
     }
 
-    /// <summary>What it said as it died.</summary>
+    /// <summary>Its last output before its death.</summary>
     public string LastWords
     {
         get
@@ -71,7 +71,7 @@ internal sealed class Child : IDisposable
 
     public bool HasExited => _process.HasExited;
 
-    /// <summary>Starts a child and waits until it listens.</summary>
+    /// <summary>Starts a child and waits until it is ready.</summary>
     /// <exception cref="InvalidOperationException">It does not start.</exception>
     public static Child Start(string starter)
     {
@@ -85,7 +85,7 @@ internal sealed class Child : IDisposable
             CreateNoWindow = true,
             WorkingDirectory = folder.FullName,
         };
-        // no rights that come by the environment, and nothing of the runtime's own left in the folder for temporary files
+        // no rights through the environment, and no files of the runtime in the folder for temporary files
         Dictionary<string, string?> kept = new[] { "SystemRoot", "LD_LIBRARY_PATH", "LANG" }.ToDictionary(name => name, Environment.GetEnvironmentVariable);
         start.Environment.Clear();
         foreach ((string name, string? value) in kept)
@@ -113,7 +113,7 @@ internal sealed class Child : IDisposable
         }
         catch (IOException)
         {
-            // it has said why
+            // it has reported the reason
         }
 
         string why = child.LastWords.Split('\n')[0].Trim();
@@ -121,7 +121,7 @@ internal sealed class Child : IDisposable
         throw new InvalidOperationException("the process for scripts does not start: " + why);
     }
 
-    /// <summary>Ends it at once; who reads from it finds the end.</summary>
+    /// <summary>Kills it at once; a reader of its output then finds the end.</summary>
     public void Kill()
     {
         try
@@ -130,7 +130,7 @@ internal sealed class Child : IDisposable
         }
         catch (Exception ended) when (ended is InvalidOperationException or System.ComponentModel.Win32Exception)
         {
-            // it has ended by itself
+            // it has already ended
         }
     }
 
@@ -162,7 +162,7 @@ internal sealed class Child : IDisposable
         }
         catch (Exception left) when (left is IOException or UnauthorizedAccessException)
         {
-            // the child was quicker, or somebody looks into it: it is empty
+            // the child has deleted it, or another program has it open: it is empty
         }
     }
 
@@ -171,7 +171,7 @@ internal sealed class Child : IDisposable
     private static (string File, string[] Arguments) Program() =>
         IsThisProgram ? (Environment.ProcessPath!, [Server.Command]) : (Dotnet(), ["exec", Assembly, Server.Command]);
 
-    // the runtime of this process knows where its host is, whatever this process was started by
+    // the runtime of this process knows its own host, however this process was started
     private static string Dotnet()
     {
         string host = Path.GetFullPath(Path.Combine(RuntimeEnvironment.GetRuntimeDirectory(), "../../..", OperatingSystem.IsWindows() ? "dotnet.exe" : "dotnet"));

@@ -4,10 +4,10 @@ using RigidBodyDynamics.StudentScripts.Compilation;
 
 namespace RigidBodyDynamics.StudentScripts.Children;
 
-/// <summary>What the child says of a submission before it runs the script.</summary>
+/// <summary>The child's answer about a submission before it runs the script.</summary>
 /// <param name="File">The script's file; empty where there is none.</param>
 /// <param name="Refusals">Why it is not run; empty where it is.</param>
-/// <param name="Notes">What else is to be said.</param>
+/// <param name="Notes">Other findings.</param>
 /// <param name="Comments">Its comments.</param>
 /// <param name="Assignments">Which lines assign which variable.</param>
 internal sealed record Look(string File, IReadOnlyList<Finding> Refusals, IReadOnlyList<Finding> Notes, CommentCoverage Comments, IReadOnlyList<Assignment> Assignments)

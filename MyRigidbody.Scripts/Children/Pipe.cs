@@ -3,10 +3,10 @@ using RigidBodyDynamics.Judging;
 
 namespace RigidBodyDynamics.StudentScripts.Children;
 
-/// <summary>What goes through the pipes between the two processes: numbers and texts, with limits, never types.</summary>
+/// <summary>The data in the pipes between the two processes: numbers and texts, with limits, never types.</summary>
 internal static class Pipe
 {
-    /// <summary>What a child says first.</summary>
+    /// <summary>The first number that a child sends.</summary>
     public const int Ready = 0x5C217;
 
     public const int MostBytes = 64 << 20;

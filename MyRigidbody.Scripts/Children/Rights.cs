@@ -2,7 +2,7 @@ using System.Runtime.InteropServices;
 
 namespace RigidBodyDynamics.StudentScripts.Children;
 
-/// <summary>What a child gives up before it looks at a script: where the system knows such limits, it can write no file.</summary>
+/// <summary>Rights that a child gives up before it reads a script: where the system supports such limits, it can write no file.</summary>
 internal static partial class Rights
 {
     // the same numbers on Linux and macOS
@@ -17,7 +17,7 @@ internal static partial class Rights
         }
     }
 
-    // no more than zero bytes, and nobody can raise it again
+    // zero for the soft and the hard limit, so that it cannot be raised again
     private static void Set(int resource) => _ = SetLimit(resource, default);
 
     [LibraryImport("libc", EntryPoint = "setrlimit")]

@@ -5,21 +5,21 @@ using RigidBodyDynamics.StudentScripts.Running;
 
 namespace RigidBodyDynamics.StudentScripts.Children;
 
-/// <summary>The child's side: submissions come in by standard input, and what was seen goes out by standard output.</summary>
+/// <summary>The child's side: submissions come by standard input, and recordings go out by standard output.</summary>
 internal static class Server
 {
-    /// <summary>The word with which a process becomes a child.</summary>
+    /// <summary>The argument with which a process becomes a child.</summary>
     public const string Command = "serve";
 
-    // more than any script of the lab needs, and little enough that the compiler soon gives up on one that nests without end
+    // more than any script of the lab needs, and little enough that the compiler soon gives up on endless nesting
     private const int StackBytes = 8 << 20;
 
-    /// <summary>Serves until standard input ends; then it ends at once, whatever a script is doing.</summary>
+    /// <summary>Serves until standard input ends; then exits at once, whatever a script is doing.</summary>
     public static int Run()
     {
         using BinaryReader input = new(Console.OpenStandardInput());
         using Stream output = Console.OpenStandardOutput();
-        // what scripts write goes nowhere
+        // output of scripts is discarded
         Console.SetOut(TextWriter.Null);
         Console.SetIn(TextReader.Null);
         Rights.GiveUp();
@@ -30,8 +30,8 @@ internal static class Server
             while (true)
             {
                 IReadOnlyList<ScriptFile> files = Pipe.ReadFiles(input);
-                // whoever sends waits for the answer before the next; if it goes away meanwhile, the read ends, and so does all this
-                // each answer has a buffer of its own: the next question may be here before this thread has put its buffer away
+                // the parent waits for each answer; if it goes away meanwhile, the read ends, and this process with it
+                // each answer has a buffer of its own, because the next question may come before this thread has released its buffer
                 new Thread(() => Serve(files, coverage, new BinaryWriter(new BufferedStream(output, 1 << 16))), StackBytes) { IsBackground = true }.Start();
             }
         }
@@ -42,7 +42,7 @@ internal static class Server
         }
     }
 
-    // who started this process takes the folder away, unless it was killed
+    // the parent deletes the folder, unless it was killed
     private static void TakeAwayFolder()
     {
         string folder = Directory.GetCurrentDirectory();
@@ -53,7 +53,7 @@ internal static class Server
         }
         catch (IOException)
         {
-            // it is gone already
+            // it is already deleted
         }
     }
 
@@ -62,7 +62,7 @@ internal static class Server
         CheckedScript? read = ScriptCompiler.Read(files, out Finding? noScript);
         CompiledScript? compiled = read == null ? null : ScriptCompiler.Compile(read);
         (compiled == null ? Look.WithoutScript(noScript!) : Look.At(compiled, coverage)).Write(output);
-        // it may be the last that is heard of this process
+        // it may be this process's last output
         output.Flush();
         if (compiled is not { Refusals.Count: 0 })
             return;

@@ -1,6 +1,6 @@
 namespace RigidBodyDynamics.StudentScripts.Children;
 
-/// <summary>Looks at a child every now and then, and ends it when it takes too much.</summary>
+/// <summary>Checks a child regularly, and kills it when it uses too much.</summary>
 internal sealed class Watch : IDisposable
 {
     private static readonly TimeSpan Every = TimeSpan.FromMilliseconds(50);
@@ -28,12 +28,12 @@ internal sealed class Watch : IDisposable
             Every);
     }
 
-    /// <summary>Why it was ended; null while it was not.</summary>
+    /// <summary>Why it was killed; null where it was not.</summary>
     public string? Why { get; private set; }
 
     public void Dispose()
     {
-        // none of its looks comes after this
+        // waits for a check that is running
         using (ManualResetEvent done = new(false))
         {
             if (_timer.Dispose(done))
@@ -44,7 +44,7 @@ internal sealed class Watch : IDisposable
     }
 }
 
-/// <summary>What a child died of.</summary>
+/// <summary>The cause of a child's death.</summary>
 internal static class Deaths
 {
     public static string Code(string lastWords) =>

@@ -4,15 +4,15 @@ using Microsoft.CodeAnalysis.CSharp.Syntax;
 
 namespace RigidBodyDynamics.StudentScripts.Comments;
 
-/// <summary>A line that assigns a variable, or moves or turns the object, in what is called in every frame.</summary>
-/// <param name="Name">The variable; transform.position or transform.rotation for what moves or turns.</param>
+/// <summary>A line that assigns a variable, or moves or rotates the object, in a method that runs in every frame.</summary>
+/// <param name="Name">The variable; transform.position or transform.rotation for a move or rotation.</param>
 /// <param name="Line">From 1.</param>
-/// <param name="Damps">It multiplies by a number alone, as v *= 0.98f does.</param>
+/// <param name="Damps">True if it multiplies by a number alone, as v *= 0.98f does.</param>
 internal sealed record Assignment(string Name, int Line, bool Damps)
 {
     public const string Position = "transform.position", Rotation = "transform.rotation";
 
-    /// <summary>Where a quaternion without a real part is made, as [0, ½Δt ω] is.</summary>
+    /// <summary>A line that creates a quaternion without a real part, such as [0, ½Δt ω].</summary>
     public const string PureQuaternion = "[0, ω]";
 
     public static IReadOnlyList<Assignment> In(SyntaxTree tree) =>

@@ -9,7 +9,7 @@ namespace RigidBodyDynamics.StudentScripts.Comments;
 
 /// <summary>
 /// Which statements were added to the starter, and which of them have a comment: on their own line, above them, or above the block
-/// of statements that they stand in without a blank line.
+/// of statements, without a blank line, that contains them.
 /// </summary>
 internal sealed partial class Coverage
 {
@@ -41,7 +41,7 @@ internal sealed partial class Coverage
         foreach (SyntaxNode added in Statements(tree).Where(statement => !_given.Contains(Plain(statement)) && !IsOfTheKeys(statement)))
         {
             statements++;
-            // a method of the script's own that is explained where it stands needs no more, nor does a call of it
+            // a method of the script that has a comment at its declaration needs no more, nor do its calls
             string method = added.FirstAncestorOrSelf<MethodDeclarationSyntax>()!.Identifier.ValueText;
             if (!IsCommented(added, lines, hasWords) && !Called(added).Append(method).Any(explained.Contains))
                 bare.Add(added.GetLocation().GetLineSpan().StartLinePosition.Line + 1);
@@ -60,7 +60,7 @@ internal sealed partial class Coverage
                 return true;
         }
 
-        // above it: over lines that only open or close a block too
+        // above it, also above lines that only open or close a block
         int above = first - 1;
         while (above >= 0 && lines[above].Trim() is "{" or "}")
             above--;
@@ -69,15 +69,15 @@ internal sealed partial class Coverage
     }
 
     /// <summary>
-    /// The statements that do something in a frame; what only holds others counts by what it holds, and what prepares in Start was
-    /// given with the sheet, however it is written.
+    /// The statements that do something in a frame; blocks count only by their contents, and preparation in Start was given with the
+    /// sheet, in any form.
     /// </summary>
     private static IEnumerable<SyntaxNode> Statements(SyntaxTree tree) => tree.GetRoot().DescendantNodes().Where(node =>
         (node is LocalDeclarationStatementSyntax or ExpressionStatementSyntax or ReturnStatementSyntax or ThrowStatementSyntax
             || (node is ArrowExpressionClauseSyntax && node.Parent is MethodDeclarationSyntax))
         && node.FirstAncestorOrSelf<MethodDeclarationSyntax>()?.Identifier.ValueText is not (null or "Start" or "Awake" or "OnEnable" or "Reset"));
 
-    // asking for keys was given too: what stands under such a question, asks one, clears force and torque, or calls the method that does so
+    // reading keys was given, too: statements under such a condition, or that read a key, clear force and torque, or call the method that does
     private static bool IsOfTheKeys(SyntaxNode statement) =>
         AsksForKeys(statement)
         || statement.Ancestors().OfType<IfStatementSyntax>().Any(condition => AsksForKeys(condition.Condition))
@@ -89,7 +89,7 @@ internal sealed partial class Coverage
     private static IEnumerable<string> Called(SyntaxNode statement) => statement.DescendantNodes().OfType<InvocationExpressionSyntax>()
         .Select(call => call.Expression).OfType<IdentifierNameSyntax>().Select(name => name.Identifier.ValueText);
 
-    // the starter's own comments say nothing of what was added; nor does "//1"
+    // the starter's own comments do not explain added statements; nor does "//1"
     private bool[] WithWords(SyntaxTree tree, int count)
     {
         bool[] hasWords = new bool[count];
@@ -115,11 +115,11 @@ internal sealed partial class Coverage
 
     private static SyntaxTree Parse(string text) => CSharpSyntaxTree.ParseText(text, Symbols.OfTheEditor);
 
-    // a letter: "// I" says what the line is, and so does one sign of Chinese
+    // a letter: "// I" names the quantity, and so does one Chinese character
     [GeneratedRegex(@"\p{L}")]
     private static partial Regex Word();
 
-    // words that say nothing
+    // words without information
     [GeneratedRegex(@"^\s*/[/*]+\s*(comment|注释|代码|code|todo|x+|a+|abc|test|测试|here|line|语句)\s*\d*\s*(\*/)?\s*$", RegexOptions.IgnoreCase)]
     private static partial Regex Empty();
 }

@@ -2,13 +2,13 @@ using RigidBodyDynamics.Judging;
 
 namespace RigidBodyDynamics.StudentScripts.Comments;
 
-/// <summary>Which line of a script is which of the five steps: by what it assigns, and by the names that people give to velocities.</summary>
+/// <summary>The line of each of the five steps in a script: by the variable it assigns, and by common names of velocities.</summary>
 internal static class StepLines
 {
     private static readonly string[] Velocities = ["v", "velocity", "vel", "linearvelocity", "linvel", "speed", "velo", "sudu", "速度"];
     private static readonly string[] AngularVelocities = ["w", "omega", "ω", "angularvelocity", "angvel", "angularvel", "av", "jiaosudu", "角速度"];
 
-    /// <summary>The lines of those steps that are seen.</summary>
+    /// <summary>The lines of those steps that are found.</summary>
     public static IReadOnlyDictionary<Step, int> Of(IReadOnlyList<Assignment> assignments)
     {
         Dictionary<Step, int> lines = [];

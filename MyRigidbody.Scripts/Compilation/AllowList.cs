@@ -3,7 +3,7 @@ using Microsoft.CodeAnalysis;
 
 namespace RigidBodyDynamics.StudentScripts.Compilation;
 
-/// <summary>What a script may use. What is not on the list is not allowed, whatever name it is reached by.</summary>
+/// <summary>What a script may use. Anything else is not allowed, by whatever name it is reached.</summary>
 internal sealed class AllowList
 {
     private readonly HashSet<string> _namespaces = [], _types = [], _members = [];

@@ -5,13 +5,13 @@ using Microsoft.CodeAnalysis.CSharp.Syntax;
 
 namespace RigidBodyDynamics.StudentScripts.Compilation;
 
-/// <summary>Why a script does not compile, with the mistakes that are made most called by name.</summary>
+/// <summary>Why a script does not compile; the most common mistakes get sentences of their own.</summary>
 internal static class CompileErrors
 {
     public static IReadOnlyList<Objection> Of(CSharpCompilation compilation)
     {
         IReadOnlyList<Diagnostic> errors = Errors(compilation.GetDiagnostics());
-        // what Unity has and the stand-in has not is nobody's mistake, if it is all that is wrong
+        // where only members are wrong that Unity has and the stand-in lacks, it is not the script's mistake
         string[] unknown = [.. errors.Select(error => UnityNames.NotHere(error, compilation)).OfType<string>()];
         return errors.Count > 0 && unknown.Length == errors.Count
             ? [Objection.At(errors[0].Location, Words.NotInTheStandIn(unknown[0]))]

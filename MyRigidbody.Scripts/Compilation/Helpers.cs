@@ -3,18 +3,18 @@ using RigidBodyDynamics.Judging;
 
 namespace RigidBodyDynamics.StudentScripts.Compilation;
 
-/// <summary>Who does the work in the place of the script: the engine's body, the library, another object.</summary>
+/// <summary>Objects that do the work in place of the script: the engine's body, the library, another object.</summary>
 internal static class Helpers
 {
     private static readonly string[] Searches =
         ["Find", "FindWithTag", "FindGameObjectWithTag", "FindObjectOfType", "FindObjectsOfType", "FindFirstObjectByType", "FindAnyObjectByType"];
 
-    /// <summary>What is to be said of it; null where it helps nobody.</summary>
+    /// <summary>The finding about it; null where it does no work for the script.</summary>
     public static Finding? Finding(ISymbol symbol, SyntaxNode node)
     {
         INamedTypeSymbol? owner = symbol as INamedTypeSymbol ?? symbol.ContainingType;
         string type = owner?.ToDisplayString() ?? string.Empty, space = symbol.ContainingNamespace?.ToDisplayString() ?? string.Empty;
-        // asking for the body alone, or for its mass, moves nothing: where there is none it throws
+        // reading the body alone, or its mass, moves nothing: where there is none it throws
         if (type is "UnityEngine.Rigidbody" && symbol is not INamedTypeSymbol && symbol.Name is not "mass")
             return Words.Cheat("uses-rigidbody", "Rigidbody." + symbol.Name);
         if (symbol is IMethodSymbol { Name: "AddComponent" } added && added.TypeArguments.Any(argument => argument.ToDisplayString() == "UnityEngine.Rigidbody"))

@@ -5,7 +5,7 @@ using RigidBodyDynamics.Judging;
 
 namespace RigidBodyDynamics.StudentScripts.Compilation;
 
-/// <summary>Code behind an #if that does not hold in the editor.</summary>
+/// <summary>Code behind an #if that is not compiled in the editor.</summary>
 internal static partial class HiddenCode
 {
     /// <summary>A note for the first such place of a file.</summary>

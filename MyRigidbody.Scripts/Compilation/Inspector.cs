@@ -5,7 +5,7 @@ using RigidBodyDynamics.Judging;
 
 namespace RigidBodyDynamics.StudentScripts.Compilation;
 
-/// <summary>Looks at every name, expression and type of a script: what it means, not how it is written.</summary>
+/// <summary>Inspects every name, expression and type of a script by its meaning, not its spelling.</summary>
 internal sealed class Inspector(SemanticModel model)
 {
     private static readonly SyntaxKind[] NeverAllowed =
@@ -17,7 +17,7 @@ internal sealed class Inspector(SemanticModel model)
 
     private readonly Dictionary<string, Objection> _objections = [];
 
-    /// <summary>What is not allowed and what lets others do the work, the first place of each.</summary>
+    /// <summary>What is not allowed and what does the work in place of the script, the first place of each.</summary>
     public static IReadOnlyList<Objection> Look(Microsoft.CodeAnalysis.Compilation compilation, SyntaxTree tree)
     {
         Inspector inspector = new(compilation.GetSemanticModel(tree));

@@ -3,9 +3,9 @@ using RigidBodyDynamics.Judging;
 
 namespace RigidBodyDynamics.StudentScripts.Compilation;
 
-/// <summary>Something in a script that keeps it from being run, and the place of it.</summary>
+/// <summary>A part of a script that prevents running it, and its place.</summary>
 internal sealed record Objection(Finding Finding, Location Place)
 {
-    /// <summary>With the line of the place.</summary>
+    /// <summary>The finding with its line.</summary>
     public static Objection At(Location place, Finding finding) => new(finding.At(ScriptCompiler.LineOf(place)), place);
 }

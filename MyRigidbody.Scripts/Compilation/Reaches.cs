@@ -2,10 +2,10 @@ using Microsoft.CodeAnalysis;
 
 namespace RigidBodyDynamics.StudentScripts.Compilation;
 
-/// <summary>What a script reaches for that is not allowed, in one word.</summary>
+/// <summary>What a script uses that is not allowed, in one word.</summary>
 internal static class Reaches
 {
-    // the first that begins the full name
+    // the first entry that begins the full name applies
     private static readonly (string Begins, string Word)[] Known =
     [
         ("System.IO", "file"),

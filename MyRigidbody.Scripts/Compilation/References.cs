@@ -7,14 +7,14 @@ using UnityEngine;
 namespace RigidBodyDynamics.StudentScripts.Compilation;
 
 /// <summary>
-/// What scripts are compiled against: the engine, the library, and of the framework more than is allowed, so that what a script
-/// reaches for can be called by its name.
+/// The references of scripts: the engine, the library, and more of the framework than is allowed, so that a forbidden use can be
+/// named.
 /// </summary>
 internal static class References
 {
     private const string Framework = "framework/";
 
-    /// <summary>What the script may see.</summary>
+    /// <summary>The references without the meter.</summary>
     public static IReadOnlyList<MetadataReference> OfScripts { get; } =
     [
         .. typeof(References).Assembly.GetManifestResourceNames().Where(name => name.StartsWith(Framework, StringComparison.Ordinal)).Select(OfFramework),
@@ -22,7 +22,7 @@ internal static class References
         Of(typeof(Simulation).Assembly),
     ];
 
-    /// <summary>The meter as well.</summary>
+    /// <summary>The references with the meter.</summary>
     public static IReadOnlyList<MetadataReference> OfMeteredScripts { get; } = [.. OfScripts, Of(typeof(Meter).Assembly)];
 
     private static PortableExecutableReference OfFramework(string resource)

@@ -7,23 +7,23 @@ using RigidBodyDynamics.StudentScripts.Metering;
 
 namespace RigidBodyDynamics.StudentScripts.Compilation;
 
-/// <summary>From the files of a submission to what stands against running them, and to an assembly if nothing does.</summary>
+/// <summary>Checks the files of a submission, and compiles them to an assembly if nothing prevents running it.</summary>
 internal static class ScriptCompiler
 {
-    /// <summary>The path of what is handed out with the lab and not handed in again.</summary>
+    /// <summary>The path of the file that is given with the lab and not part of a submission.</summary>
     public const string Given = "DefaultRigidbody.cs (given)";
 
-    // the errors that follow are mostly the first one's
+    // later errors mostly follow from the first one
     private const int MostErrors = 3;
 
     private const string DefaultRigidbody =
         "public class DefaultRigidbody : UnityEngine.MonoBehaviour { public UnityEngine.Rigidbody rb; public UnityEngine.Vector3 force, torque; }";
 
-    // not optimised: a call that ends a method stays a call, so that one without end fills the stack and is seen
+    // not optimised: a tail call stays a call, so that endless recursion fills the stack and is detected
     private static readonly CSharpCompilationOptions Options = new(
         OutputKind.DynamicallyLinkedLibrary, optimizationLevel: OptimizationLevel.Debug, concurrentBuild: false, deterministic: true, nullableContextOptions: NullableContextOptions.Disable);
 
-    /// <summary>The script of a submission as the compiler reads it; null, and why, where there is none.</summary>
+    /// <summary>The checked script of a submission; null, with the reason, where there is none.</summary>
     public static CheckedScript? Read(IReadOnlyList<ScriptFile> files, out Finding? noScript)
     {
         (Sources? sources, string? tooLarge) = Sources.Read(files);
@@ -31,7 +31,7 @@ internal static class ScriptCompiler
         return noScript == null ? Check(sources!) : null;
     }
 
-    /// <summary>The script as the compiler reads it; nothing is made yet that could run.</summary>
+    /// <summary>The checked script; nothing that could run is generated yet.</summary>
     private static CheckedScript Check(Sources sources)
     {
         CSharpCompilation compilation = WithoutVainUsings(Create(sources.Trees));
@@ -49,7 +49,7 @@ internal static class ScriptCompiler
         return new CheckedScript(sources, compilation, objections, isForbidden, notes);
     }
 
-    /// <summary>The script with its meter, to be run if nothing stands against it.</summary>
+    /// <summary>The script with its meter, to be run unless something prevents it.</summary>
     public static CompiledScript Compile(CheckedScript read)
     {
         if (read.Objections.Count > 0)
@@ -76,7 +76,7 @@ internal static class ScriptCompiler
         return CSharpCompilation.Create("Script" + Guid.NewGuid().ToString("N"), [.. trees, .. given], References.OfScripts, Options);
     }
 
-    // an editor adds usings by itself; those that nothing here knows are as good as none
+    // an editor adds usings by itself; unknown ones are removed
     private static CSharpCompilation WithoutVainUsings(CSharpCompilation compilation)
     {
         foreach (SyntaxTree tree in compilation.SyntaxTrees)
@@ -94,7 +94,7 @@ internal static class ScriptCompiler
         return compilation;
     }
 
-    // the same length and the same lines: a using of what is always there
+    // the same length and the same lines: a using that always exists
     private static SyntaxNode Blank(UsingDirectiveSyntax directive) =>
         SyntaxFactory.UsingDirective(SyntaxFactory.ParseName("System").WithLeadingTrivia(SyntaxFactory.Space)).WithTriviaFrom(directive);
 
@@ -111,8 +111,8 @@ internal static class ScriptCompiler
     }
 
     /// <summary>
-    /// Tells the debug symbols which file it is, and gives a checksum that nobody asks for. Of a file that they know by itself they
-    /// compute one on another thread, and wait for it; in a browser there is no other.
+    /// Gives the debug symbols a file name and a dummy checksum. For a file without one they compute it on another thread, and wait
+    /// for it; a browser has no other thread.
     /// </summary>
     private static SyntaxNode Named(SyntaxNode root, string path)
     {

@@ -8,7 +8,7 @@ namespace RigidBodyDynamics.StudentScripts.Compilation;
 /// <summary>The source files of a submission: which of them is the script, and which of the others it needs.</summary>
 internal sealed class Sources
 {
-    /// <summary>What a script is called.</summary>
+    /// <summary>The class name of a script.</summary>
     public const string ClassName = "MyRigidbody";
 
     // a script of the lab has 5 kB
@@ -16,7 +16,7 @@ internal sealed class Sources
 
     private Sources(IReadOnlyList<SyntaxTree> trees)
     {
-        // a class that says it is a script of Unity; by its name, else the first with a message in which one could step
+        // a class derived from MonoBehaviour; by its name, else the first with a message in which a step is possible
         List<ClassDeclarationSyntax> scripts = [.. trees.SelectMany(tree => tree.GetRoot().DescendantNodes().OfType<ClassDeclarationSyntax>())
             .Where(type => type.BaseList?.Types.Any(parent => parent.Type.ToString().EndsWith("MonoBehaviour", StringComparison.Ordinal)) == true)];
         List<ClassDeclarationSyntax> called = [.. scripts.Where(type => type.Identifier.ValueText == ClassName)];
@@ -30,17 +30,17 @@ internal sealed class Sources
     /// <summary>The class of the script; null where there is none.</summary>
     public ClassDeclarationSyntax? Script { get; }
 
-    /// <summary>Other files that have a script of that name too.</summary>
+    /// <summary>Other files that contain a script of that name, too.</summary>
     public IReadOnlyList<string> Others { get; }
 
     /// <summary>
-    /// The script's file and those that declare what it names, and what they name in turn. What else lies in a project (samples, tools)
+    /// The script's file and those that declare the names in it, and the names in those. Other files of a project (samples, tools)
     /// could only make a right script fail.
     /// </summary>
     public IReadOnlyList<SyntaxTree> Trees { get; }
 
-    /// <summary>Reads the files, or says which is too large.</summary>
-    /// <param name="files">The likeliest script first; others that are too large are left out.</param>
+    /// <summary>Reads the files, or names one that is too large.</summary>
+    /// <param name="files">The most likely script first; others that are too large are left out.</param>
     public static (Sources? Read, string? TooLarge) Read(IReadOnlyList<ScriptFile> files)
     {
         if (files is [var first, ..] && first.Bytes.Length > MostBytes)
@@ -65,7 +65,7 @@ internal sealed class Sources
         return needed;
     }
 
-    /// <summary>Names of types, and of methods that extend others' types.</summary>
+    /// <summary>Names of types, and of extension methods.</summary>
     private static IEnumerable<string> Declared(SyntaxTree tree) => tree.GetRoot().DescendantNodes().SelectMany(node => node switch
     {
         BaseTypeDeclarationSyntax type => [type.Identifier.ValueText],

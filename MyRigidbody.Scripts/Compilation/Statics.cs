@@ -4,7 +4,7 @@ using Microsoft.CodeAnalysis.CSharp.Syntax;
 
 namespace RigidBodyDynamics.StudentScripts.Compilation;
 
-/// <summary>What outlives an object of the script.</summary>
+/// <summary>Variables that outlive an object of the script.</summary>
 internal static class Statics
 {
     public static bool AreIn(SyntaxTree tree) => tree.GetRoot().DescendantNodes().OfType<MemberDeclarationSyntax>().Any(member =>

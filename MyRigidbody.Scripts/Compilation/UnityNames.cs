@@ -4,7 +4,7 @@ using Microsoft.CodeAnalysis.CSharp.Syntax;
 
 namespace RigidBodyDynamics.StudentScripts.Compilation;
 
-/// <summary>Names that Unity has and the stand-in has not.</summary>
+/// <summary>Names that Unity has and the stand-in lacks.</summary>
 internal static class UnityNames
 {
     private static readonly HashSet<string> Types =
@@ -18,7 +18,7 @@ internal static class UnityNames
         "GUIUtility", "GUIText", "ContextMenuItemAttribute", "SelectionBase", "SelectionBaseAttribute", "HelpURL", "CreateAssetMenu", "TextAsset", "GUIStyleState", "FontStyle", "TextAnchor",
     ];
 
-    /// <summary>Members of types that the stand-in has; what stands in Unity's manual and is not here.</summary>
+    /// <summary>Members, listed in Unity's manual, that the stand-in lacks of types that it has.</summary>
     private static readonly HashSet<string> Members =
     [
         "Mathf.PerlinNoise", "Mathf.PerlinNoise1D", "Mathf.CorrelatedColorTemperatureToRGB", "Mathf.FloatToHalf", "Mathf.HalfToFloat",

@@ -4,37 +4,37 @@ using System.Runtime.CompilerServices;
 namespace RigidBodyDynamics.StudentScripts.Metering;
 
 /// <summary>
-/// Counts what a script does: the compiled script calls it in every loop, method, accessor, lambda and catch block. When there is
-/// too much it throws, and since it goes on throwing, no catch block of the script can swallow it.
+/// Counts the work of a script: the compiled script calls it in every loop, method, accessor, lambda and catch block. At the limit
+/// it throws, in every later call, too, so that no catch block of the script can suppress it.
 /// </summary>
 [EditorBrowsable(EditorBrowsableState.Never)]
 public static class Meter
 {
-    /// <summary>Ticks for one message, such as Update: a right script takes a few hundred.</summary>
+    /// <summary>The limit of ticks for one message, such as Update: a right script needs a few hundred.</summary>
     internal const int PerMessage = 5_000_000;
 
-    /// <summary>Ticks for all messages of a script.</summary>
+    /// <summary>The limit of ticks for all messages of a script.</summary>
     internal const long PerScript = 200_000_000;
 
-    // ticks between two looks at the clock
+    // ticks between two readings of the clock
     private const int PerLook = 10_000;
 
     private static long _left, _leftOfMessage, _leftInAll, _ends, _endsInAll;
 
-    /// <summary>How long one message may take, and all of a script, ms; no matter how long where the count alone decides.</summary>
+    /// <summary>The time limits of one message and of a whole script, ms; null where only ticks count.</summary>
     internal static (long Message, long Script)? MostTime { get; set; }
 
-    /// <summary>The line of the statement that was begun last; the script sets it.</summary>
+    /// <summary>The line of the last statement begun; the script sets it.</summary>
     public static int Here;
 
-    /// <summary>Why the script was stopped; null while it was not.</summary>
+    /// <summary>Why the script was stopped; null where it was not.</summary>
     internal static Stopped? Reason { get; private set; }
 
-    /// <summary>The line at which it was stopped; 0 where none is known.</summary>
+    /// <summary>The line at which it was stopped; 0 where it is unknown.</summary>
     internal static int Line { get; private set; }
 
-    /// <summary>One more piece of work.</summary>
-    /// <param name="line">Where it is done, from 1.</param>
+    /// <summary>Counts one more piece of work.</summary>
+    /// <param name="line">Its line, from 1.</param>
     [MethodImpl(MethodImplOptions.NoInlining)]
     public static void Tick(int line)
     {
@@ -44,7 +44,7 @@ public static class Meter
             Throw(Stopped.Recursion, line);
     }
 
-    /// <summary>A new script.</summary>
+    /// <summary>Begins a new script.</summary>
     internal static void Reset()
     {
         Reason = null;
@@ -55,7 +55,7 @@ public static class Meter
         _endsInAll = MostTime is { } most ? Environment.TickCount64 + most.Script : long.MaxValue;
     }
 
-    /// <summary>A new message of the script.</summary>
+    /// <summary>Begins a new message of the script.</summary>
     internal static void BeginMessage()
     {
         _leftInAll -= PerMessage - _leftOfMessage - Math.Max(_left, 0);
@@ -84,7 +84,7 @@ public static class Meter
         _leftOfMessage -= _left--;
     }
 
-    // a message of few ticks is never late, however slow the machine is
+    // a message of few ticks is not late, however slow the machine is
     private static bool IsLate()
     {
         if (MostTime is not { } most)
@@ -117,7 +117,7 @@ internal enum Stopped
     /// <summary>It calls itself without end.</summary>
     Recursion,
 
-    /// <summary>It keeps more memory than a script needs.</summary>
+    /// <summary>It holds more memory than a script needs.</summary>
     Memory,
 }
 

@@ -5,8 +5,8 @@ using Microsoft.CodeAnalysis.CSharp.Syntax;
 namespace RigidBodyDynamics.StudentScripts.Metering;
 
 /// <summary>
-/// Puts a tick of the meter into every loop, body and catch block and before every goto. Nothing moves to another line, so what is
-/// said of a line stays true.
+/// Inserts a tick of the meter into every loop, body and catch block and before every goto. No code moves to another line, so line
+/// numbers in findings are right.
 /// </summary>
 internal sealed class MeterRewriter(SemanticModel model) : CSharpSyntaxRewriter
 {
@@ -14,7 +14,7 @@ internal sealed class MeterRewriter(SemanticModel model) : CSharpSyntaxRewriter
         MeterTick = SyntaxFactory.ParseExpression("global::RigidBodyDynamics.StudentScripts.Metering.Meter.Tick"),
         MeterHere = SyntaxFactory.ParseExpression("global::RigidBodyDynamics.StudentScripts.Metering.Meter.Here");
 
-    // each statement says where it is, for what is said of one that throws
+    // each statement stores its line, for the message about an exception
     public override SyntaxNode? VisitBlock(BlockSyntax node) =>
         ((BlockSyntax)base.VisitBlock(node)!) is var n ? n.WithStatements(Marked(n.Statements, node.Statements)) : null;
 
@@ -140,7 +140,7 @@ internal sealed class MeterRewriter(SemanticModel model) : CSharpSyntaxRewriter
     private static ExpressionStatementSyntax Mark(StatementSyntax original) =>
         SyntaxFactory.ExpressionStatement(SyntaxFactory.AssignmentExpression(SyntaxKind.SimpleAssignmentExpression, MeterHere, Line(original, original.SpanStart)));
 
-    // says its line itself: not every runtime can tell the line of what it runs
+    // stores its line, because not every runtime can find the line of running code
     private static ExpressionStatementSyntax Tick(SyntaxNode original, int position) => SyntaxFactory.ExpressionStatement(SyntaxFactory.InvocationExpression(
         MeterTick, SyntaxFactory.ArgumentList(SyntaxFactory.SingletonSeparatedList(SyntaxFactory.Argument(Line(original, position))))));
 
@@ -160,7 +160,7 @@ internal sealed class MeterRewriter(SemanticModel model) : CSharpSyntaxRewriter
 
     private static BlockSyntax Body(ExpressionSyntax expression, bool isVoid, SyntaxToken arrow, StatementSyntax tick)
     {
-        // what stood between the arrow and the expression may hold line breaks: it is kept
+        // trivia between the arrow and the expression may contain line breaks: it is kept
         expression = expression.WithLeadingTrivia(arrow.LeadingTrivia.AddRange(arrow.TrailingTrivia).AddRange(expression.GetLeadingTrivia()));
         StatementSyntax statement =
             expression is ThrowExpressionSyntax thrown ? SyntaxFactory.ThrowStatement(thrown.Expression)

@@ -14,14 +14,14 @@ internal static class Execution
 
     static Execution() => AppDomain.CurrentDomain.FirstChanceException += (_, thrown) =>
     {
-        // a script that catches these goes on as if nothing had been; the meter does not
+        // a script that catches these would continue; the meter remembers them
         if (thrown.Exception is OutOfMemoryException)
             Meter.Stop(Stopped.Memory);
         else if (thrown.Exception is InsufficientExecutionStackException)
             Meter.Stop(Stopped.Recursion);
     };
 
-    /// <summary>On a thread of its own, whose stack is soon full if the script calls itself without end.</summary>
+    /// <summary>Runs on a thread of its own, whose small stack soon shows endless recursion.</summary>
     public static RunOutcome RunOnThread(CompiledScript compiled)
     {
         RunOutcome? outcome = null;
@@ -31,7 +31,7 @@ internal static class Execution
         return outcome!;
     }
 
-    /// <summary>On the caller's thread.</summary>
+    /// <summary>Runs on the caller's thread.</summary>
     public static RunOutcome Run(CompiledScript compiled, Action afterFrame)
     {
         using StandIn laboratory = new(compiled, afterFrame);
@@ -40,7 +40,7 @@ internal static class Execution
         return stopped == null ? new RunOutcome(recording, null) : new RunOutcome(null, stopped);
     }
 
-    /// <summary>Has a script do something, and says why it did not do it to the end; null if it did.</summary>
+    /// <summary>Lets a script do something; returns why it did not finish, or null if it did.</summary>
     public static Finding? Try(CompiledScript compiled, StandIn laboratory, Action work)
     {
         Meter.Reset();
@@ -59,7 +59,7 @@ internal static class Execution
         }
         catch (Exception broken)
         {
-            // a script that destroys its object, say, takes from under the judge what it looks at
+            // a script that destroys its object, for instance, removes what the judge reads
             return Place(Words.Stopped("ended", broken.GetType().Name), null, laboratory);
         }
     }
@@ -90,7 +90,7 @@ internal static class Execution
         return line is { } known ? placed.At(known) : placed;
     }
 
-    // the innermost line of the script; where the runtime cannot tell it, that of the statement that was begun last
+    // the innermost line of the script; where the runtime cannot find it, that of the last statement begun
     private static int? Line(Exception thrown) => new StackTrace(thrown, fNeedFileInfo: true).GetFrames()
         .Where(frame => frame.GetFileLineNumber() > 0 && StandIn.IsOfScript(frame.GetMethod()?.DeclaringType?.Assembly))
         .Select(frame => (int?)frame.GetFileLineNumber())

@@ -3,10 +3,10 @@ using RigidBodyDynamics.StudentScripts.Compilation;
 
 namespace RigidBodyDynamics.StudentScripts.Running;
 
-/// <summary>A script on its object, played frame by frame while somebody holds the keys.</summary>
+/// <summary>A script on its object, played frame by frame with keys held.</summary>
 internal sealed class LiveScript : IDisposable
 {
-    /// <summary>Numbers of a pose: x y z, then the quaternion, its real part first.</summary>
+    /// <summary>The count of numbers of a pose: x y z, then the quaternion, its real part first.</summary>
     public const int PoseNumbers = 7;
 
     private readonly CompiledScript _compiled;
@@ -29,10 +29,10 @@ internal sealed class LiveScript : IDisposable
         });
     }
 
-    /// <summary>Why it plays no longer; null while it does.</summary>
+    /// <summary>Why it has stopped; null while it plays.</summary>
     public Finding? Stopped { get; private set; }
 
-    /// <summary>Plays frames, and gives the pose after each; fewer where it is stopped.</summary>
+    /// <summary>Plays frames, and returns the pose after each; fewer where it stops.</summary>
     public double[] Step(Keys held, int count)
     {
         double[] poses = new double[PoseNumbers * count];

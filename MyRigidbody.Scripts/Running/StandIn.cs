@@ -38,7 +38,7 @@ internal sealed class StandIn(CompiledScript compiled, Action afterFrame) : ILab
     private Type? _type;
     private MonoBehaviour? _script;
 
-    /// <summary>The message that is being sent, for what is said of a script that fails in it.</summary>
+    /// <summary>The message that is being sent, for the report on a script that fails in it.</summary>
     public string Message { get; private set; } = "Start";
 
     /// <summary>Length of a fixed step, s.</summary>
@@ -121,7 +121,7 @@ internal sealed class StandIn(CompiledScript compiled, Action afterFrame) : ILab
         Meter.MustNotBeStopped();
     }
 
-    // memory that is held, and not what a collection would free; to ask for it takes long where the heap is large
+    // memory that is held, not what a collection would free; measuring takes long where the heap is large
     private void LookAtMemory()
     {
         long allocated = GC.GetAllocatedBytesForCurrentThread();
@@ -133,7 +133,7 @@ internal sealed class StandIn(CompiledScript compiled, Action afterFrame) : ILab
             Meter.Stop(Stopped.Memory);
     }
 
-    /// <summary>True for what a script was compiled to.</summary>
+    /// <summary>True for the assembly of a script.</summary>
     public static bool IsOfScript(Assembly? assembly) => assembly != null && AssemblyLoadContext.GetLoadContext(assembly)?.Name == Context;
 
     public void Dispose()
@@ -164,7 +164,7 @@ internal sealed class StandIn(CompiledScript compiled, Action afterFrame) : ILab
             script.StartIfDue();
     }
 
-    // what the script throws comes out as one kind of exception, and what stopped it comes first
+    // exceptions of the script get one type, and a stop by the meter comes first
     private static void Guarded(Action call)
     {
         Meter.BeginMessage();
@@ -184,7 +184,7 @@ internal sealed class StandIn(CompiledScript compiled, Action afterFrame) : ILab
         Meter.MustNotBeStopped();
     }
 
-    // every object of a script with statics finds them as the game begins with them
+    // every object of a script with statics finds their initial values
     private Type Load()
     {
         if (_type != null && !compiled.HasStatics)

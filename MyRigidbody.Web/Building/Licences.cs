@@ -4,8 +4,8 @@ using System.Xml.Linq;
 
 namespace RigidBodyDynamics.Web.Building;
 
-/// <summary>The licences of all that the site ships, from the packages' own metadata.</summary>
-/// <param name="project">Where the packages of the build are named.</param>
+/// <summary>The licences of all that the site contains, from the packages' own metadata.</summary>
+/// <param name="project">The sources of the site.</param>
 internal sealed class Licences(Project project)
 {
     private readonly SortedSet<string> _known = new(StringComparer.Ordinal);
@@ -18,11 +18,11 @@ internal sealed class Licences(Project project)
         foreach (string folder in Bundled())
             AddFromNpm(folder);
 
-        // it says it itself, in its first lines
+        // the plotting library states its licence in its first lines
         string plotting = File.ReadAllText(Plotting.Extract(project));
         Add(Plotting.Script, "MIT", string.Join('\n', plotting.Split("*/")[0].Split('\n').Select(line => line.Trim('/', '*', ' '))).Trim(), string.Empty);
 
-        // both programs have the runtime and much else in common
+        // both programs contain the runtime and many common packages
         HashSet<string> seen = [];
         foreach (string program in Project.Programs)
             AddFromNuGet(program, seen);
@@ -97,7 +97,7 @@ internal sealed class Licences(Project project)
 
     private StringBuilder Heading(string title) => _text.AppendLine(new string('=', 100)).AppendLine(title).AppendLine();
 
-    // the files in which a package says it itself
+    // licence files inside a package
     private static string Own(string folder) => string.Join('\n', Directory.EnumerateFiles(folder)
         .Where(file => Path.GetFileName(file).ToUpperInvariant() is "LICENSE" or "LICENSE.TXT" or "LICENSE.MD" or "LICENCE" or "THIRD-PARTY-NOTICES.TXT")
         .Order(StringComparer.Ordinal).Select(File.ReadAllText));

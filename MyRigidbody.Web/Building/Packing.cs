@@ -2,23 +2,23 @@ using System.IO.Compression;
 
 namespace RigidBodyDynamics.Web.Building;
 
-/// <summary>What goes over the wire is packed once, when the site is built.</summary>
+/// <summary>Compresses the files of the site once, when it is built.</summary>
 internal static class Packing
 {
     /// <summary>
-    /// How the name of a file ends that is packed by gzip whatever the server does, and that the page unpacks: assemblies and
-    /// WebAssembly. No server takes a .bin for something to refuse, to pack again or to unpack.
+    /// The extension of files that are always compressed by gzip and that the page decompresses: assemblies and WebAssembly. A server
+    /// neither refuses, compresses nor decompresses a .bin.
     /// </summary>
     public const string Always = ".bin";
 
-    /// <summary>What browsers accept, by the ending of the file beside the plain one.</summary>
+    /// <summary>The compressions that browsers accept, by the extension of the file beside the plain one.</summary>
     public static readonly (string Ending, Func<Stream, Stream> Pack)[] Encodings =
         [(".br", to => new BrotliStream(to, CompressionLevel.SmallestSize)), (".gz", Gzip)];
 
-    /// <summary>Packs a file that the page unpacks.</summary>
+    /// <summary>Compresses a file that the page decompresses.</summary>
     public static void Pack(string source, string target) => Write(source, target, Gzip);
 
-    /// <summary>Packs a text beside itself, for servers that send it so to a browser that accepts it.</summary>
+    /// <summary>Writes compressed copies of a text beside it, for servers that send them to browsers that accept them.</summary>
     /// <returns>The files.</returns>
     public static IEnumerable<string> PackBeside(string file)
     {

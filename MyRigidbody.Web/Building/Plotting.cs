@@ -2,16 +2,16 @@ using System.Reflection;
 
 namespace RigidBodyDynamics.Web.Building;
 
-/// <summary>The library of the curves, as the report's package carries it: the page and the reports that it saves draw by the same.</summary>
+/// <summary>The plotting library from the report's package: the page and the reports that it saves use the same one.</summary>
 internal static class Plotting
 {
-    /// <summary>The package that carries it.</summary>
+    /// <summary>The package that contains it.</summary>
     public const string Package = "Plotly.NET";
 
     /// <summary>Its name in the site.</summary>
     public const string Script = "plotly.min.js";
 
-    /// <summary>Takes it out of the package.</summary>
+    /// <summary>Extracts it from the package.</summary>
     /// <returns>The file.</returns>
     public static string Extract(Project project)
     {

@@ -2,7 +2,7 @@ using System.Reflection;
 
 namespace RigidBodyDynamics.Web.Building;
 
-/// <summary>Where the sources of the site are, and where it is built.</summary>
+/// <summary>The folders of the site's sources and of its build.</summary>
 /// <param name="Web">The folder of this project.</param>
 internal sealed record Project(string Web)
 {
@@ -15,19 +15,19 @@ internal sealed record Project(string Web)
     /// <summary>The page: HTML, style and scripts.</summary>
     public string Page => Path.Combine(Web, "Page");
 
-    /// <summary>Where the site is built unless another folder is named.</summary>
+    /// <summary>The folder of the site unless another one is named.</summary>
     public string Site => Path.Combine(Root, "artifacts", "site");
 
-    /// <summary>What is kept between two builds.</summary>
+    /// <summary>Files kept between two builds.</summary>
     public string Work => Path.Combine(Root, "artifacts", "site-work");
 
     /// <summary>The page's scripts and style, bundled.</summary>
     public string Bundle => Path.Combine(Work, "bundle");
 
-    /// <summary>What was bundled.</summary>
+    /// <summary>The list of bundled files.</summary>
     public string BundleList => Path.Combine(Work, "bundle.json");
 
-    /// <summary>The project that this program was built from.</summary>
+    /// <summary>The project from which this program was built.</summary>
     public static Project OfThisProgram()
     {
         string folder = typeof(Project).Assembly.GetCustomAttributes<AssemblyMetadataAttribute>().Single(one => one.Key == "Folder").Value!;
@@ -36,6 +36,6 @@ internal sealed record Project(string Web)
             : throw new RefusedException($"{folder}: the sources of the site are no longer there");
     }
 
-    /// <summary>What the framework's tool published of one of the page's two programs.</summary>
+    /// <summary>The published output of one of the page's two programs.</summary>
     public string Published(string program) => Path.Combine(Root, "artifacts", "publish", program, "release", "wwwroot", "_framework");
 }

@@ -7,14 +7,14 @@ internal sealed class Site(Project project, string folder)
 {
     private const string NoNpm = "npm is not on the path: the page's editor is bundled by it (Node.js 20 or newer has it)";
 
-    // what both programs of the page are compiled from
+    // the sources of both programs of the page
     private static readonly string[] Libraries = ["MyRigidbody.Core", "MyRigidbody.Engine", "MyRigidbody.Judge", "MyRigidbody.Scripts", "MyRigidbody.Lab"];
 
-    /// <summary>Where it is.</summary>
+    /// <summary>The folder of the site.</summary>
     public string Folder => folder;
 
     /// <summary>Builds what has changed.</summary>
-    /// <param name="strict">Warnings of the compiler are errors.</param>
+    /// <param name="strict">True if compiler warnings are errors.</param>
     public void Build(bool strict)
     {
         Tool.Run(project.Page, "npm", NoNpm, "--version");
@@ -38,7 +38,7 @@ internal sealed class Site(Project project, string folder)
         new Stamp(project, program + (strict ? "-strict" : string.Empty)).Do(inputs, project.Published(program), () =>
         {
             Console.WriteLine($"building {program}");
-            // what an earlier build published and this one does not
+            // removes what an earlier build published and this one does not
             if (Directory.Exists(project.Published(program)))
                 Directory.Delete(project.Published(program), recursive: true);
 

@@ -5,19 +5,19 @@ using System.Text.Json;
 
 namespace RigidBodyDynamics.Web.Building;
 
-/// <summary>Puts the parts of the site together.</summary>
+/// <summary>Assembles the parts of the site.</summary>
 /// <param name="project">The parts.</param>
 /// <param name="folder">The site.</param>
 internal sealed class SiteFolder(Project project, string folder)
 {
     private const string ServiceWorker = "service-worker.js";
 
-    // the plus of base64 as it is
+    // writes the plus of base64 unescaped
     private static readonly JsonSerializerOptions Readable = new() { Encoder = JavaScriptEncoder.UnsafeRelaxedJsonEscaping };
 
     private readonly HashSet<string> _belongs = [];
 
-    /// <summary>Makes the folder, so that one that cannot be written is refused before the build.</summary>
+    /// <summary>Creates the folder, so that one that cannot be written is refused before the build.</summary>
     public void Create() => Do(() =>
     {
         Directory.CreateDirectory(folder);
@@ -26,7 +26,7 @@ internal sealed class SiteFolder(Project project, string folder)
         File.Delete(probe);
     });
 
-    /// <summary>Writes what has changed, and removes what no longer belongs to the site.</summary>
+    /// <summary>Writes what has changed, and deletes what no longer belongs to the site.</summary>
     public void Write() => Do(() =>
     {
         string[] before = [.. FilesOfTheVersionBefore()];
@@ -97,7 +97,7 @@ internal sealed class SiteFolder(Project project, string folder)
         Keep(name, target);
     }
 
-    // the version of the site is that of its files: whoever has the worker knows what belongs to it
+    // the version of the site is a hash of its files, and the worker lists them
     private void WriteServiceWorker(IEnumerable<string> names)
     {
         Dictionary<string, string> files = names.Order(StringComparer.Ordinal).ToDictionary(
@@ -107,7 +107,7 @@ internal sealed class SiteFolder(Project project, string folder)
         WriteText(ServiceWorker, $"self.site={{version:\"{version}\",files:{list}}};\n{script}");
     }
 
-    // what lies there beside the site is not ours to remove
+    // only files of an earlier version are deleted
     private IEnumerable<string> FilesOfTheVersionBefore()
     {
         string worker = Target(ServiceWorker);
@@ -117,7 +117,7 @@ internal sealed class SiteFolder(Project project, string folder)
         return Names(first[(at + "files:".Length)..]).Select(Target).SelectMany(file => Packing.Encodings.Select(encoding => file + encoding.Ending).Prepend(file)).Where(File.Exists);
     }
 
-    // a list that is damaged says nothing, and nothing is removed
+    // a damaged list is ignored, and nothing is deleted
     private static IEnumerable<string> Names(string list)
     {
         try

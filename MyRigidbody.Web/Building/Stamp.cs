@@ -3,17 +3,17 @@ using System.Text;
 
 namespace RigidBodyDynamics.Web.Building;
 
-/// <summary>Remembers what a step of the build was made from, so that it is done again only after a change.</summary>
-/// <param name="project">Where stamps are kept.</param>
+/// <summary>Stores what a step of the build was made from, so that it is repeated only after a change.</summary>
+/// <param name="project">The project with the stamps.</param>
 /// <param name="name">The step.</param>
 internal sealed class Stamp(Project project, string name)
 {
-    // below these lies what a build writes
+    // folders of build output
     private static readonly string[] Written = ["bin", "obj", "artifacts", "node_modules", ".git"];
 
     private readonly string _file = Path.Combine(project.Work, name + ".stamp");
 
-    /// <summary>Does the step if a file or a folder that it reads has changed since, or if what it wrote is gone.</summary>
+    /// <summary>Does the step if a file or a folder that it reads has changed since, or if its output is missing.</summary>
     /// <param name="inputs">Files and folders.</param>
     /// <param name="output">A file or folder that it wrote.</param>
     /// <param name="step">The step.</param>
@@ -29,7 +29,7 @@ internal sealed class Stamp(Project project, string name)
         File.WriteAllText(_file, now);
     }
 
-    // names, lengths and times of change: contents need not be read
+    // names, lengths and times of change, so that contents need not be read
     private static string Of(IEnumerable<string> inputs)
     {
         StringBuilder list = new();

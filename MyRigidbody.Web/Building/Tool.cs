@@ -6,14 +6,14 @@ namespace RigidBodyDynamics.Web.Building;
 /// <summary>Runs a program of the toolchain.</summary>
 internal static class Tool
 {
-    /// <summary>Runs it to its end; what it says is shown only if it fails.</summary>
-    /// <param name="folder">Where it runs.</param>
+    /// <summary>Runs it to its end; its output is shown only if it fails.</summary>
+    /// <param name="folder">The working directory.</param>
     /// <param name="program">Its name on the path.</param>
-    /// <param name="missing">What the user reads if it is not there.</param>
+    /// <param name="missing">The message if it is not installed.</param>
     /// <param name="arguments">Its arguments.</param>
     public static void Run(string folder, string program, string missing, params string[] arguments)
     {
-        // npm and its kind are scripts of the shell there
+        // npm and similar programs are shell scripts there
         bool isScript = OperatingSystem.IsWindows() && program != "dotnet";
         ProcessStartInfo start = isScript ? new("cmd.exe", ["/d", "/c", program, .. arguments]) : new(program, arguments);
         start.WorkingDirectory = folder;
@@ -25,7 +25,7 @@ internal static class Tool
             Task<string> complaints = process.StandardError.ReadToEndAsync();
             string said = process.StandardOutput.ReadToEnd() + complaints.Result;
             process.WaitForExit();
-            // what the Windows shell answers if it knows no such program
+            // the answer of the Windows shell for an unknown program
             if (isScript && process.ExitCode is 1 or 9009 && said.Contains($"'{program}'", StringComparison.Ordinal))
                 throw new RefusedException(missing);
 

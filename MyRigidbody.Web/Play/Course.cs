@@ -4,10 +4,10 @@ using RigidBodyDynamics.Lab.Report;
 
 namespace RigidBodyDynamics.Web.Play;
 
-/// <summary>A played scene in motion: its bodies, Unity's beside those that have none in the file, and the script's.</summary>
+/// <summary>A played scene: its bodies, Unity's beside those that have none in the file, and the script's.</summary>
 internal sealed class Course
 {
-    /// <summary>Steps that are played and kept: 20 minutes of the lab's.</summary>
+    /// <summary>The number of steps that are kept: 20 minutes of the lab's.</summary>
     public const long MostSteps = 60_000;
 
     private readonly string _path;
@@ -18,11 +18,11 @@ internal sealed class Course
 
     /// <summary>A scene at its start.</summary>
     /// <param name="path">Its file, beside the meshes that it names.</param>
-    /// <param name="text">What is in it.</param>
-    /// <param name="rule">The rule of all bodies that are not Unity's; null for those of the file.</param>
-    /// <param name="besideUnity">Whether a body that has no body of Unity's beside it gets one, as <c>compare</c> does.</param>
-    /// <param name="ownKeys">Whether the reader's keys are all, and those of the file are left out.</param>
-    /// <exception cref="InputException">What is wrong with the file, in one line.</exception>
+    /// <param name="text">Its text.</param>
+    /// <param name="rule">The integrator of all bodies that are not Unity's; null for those of the file.</param>
+    /// <param name="besideUnity">True if a body without a body of Unity's beside it gets one, as in <c>compare</c>.</param>
+    /// <param name="ownKeys">True if the keys of the file are left out.</param>
+    /// <exception cref="InputException">The error in the file, in one line.</exception>
     public Course(string path, string text, string? rule, bool besideUnity, bool ownKeys)
     {
         _path = path;
@@ -37,49 +37,49 @@ internal sealed class Course
         Begin();
     }
 
-    /// <summary>The scene as it is in the file.</summary>
+    /// <summary>The scene of the file.</summary>
     public SceneDescription Given { get; }
 
-    /// <summary>What is played.</summary>
+    /// <summary>The played scene.</summary>
     public PlayedScene Scene { get; }
 
     /// <summary>The bodies, without the script's.</summary>
     public IReadOnlyList<Body> Bodies => _simulation.Bodies;
 
-    /// <summary>Which of them are compared.</summary>
+    /// <summary>The compared pairs.</summary>
     public IReadOnlyList<(int First, int Second)> Pairs { get; private set; } = [];
 
-    /// <summary>Beside them.</summary>
+    /// <summary>The script's object.</summary>
     public ScriptBody? Script { get; private set; }
 
-    /// <summary>How many steps are done.</summary>
+    /// <summary>The number of steps done.</summary>
     public long StepsDone => _simulation.StepsDone;
 
     /// <summary>Time since the start, s.</summary>
     public double Time => _simulation.Time;
 
-    /// <summary>How many steps there can be.</summary>
+    /// <summary>The largest number of steps.</summary>
     public long Count => _simulation.Scene.Steps.Count;
 
-    /// <summary>The scene file of what has been played.</summary>
+    /// <summary>The scene file of the motion so far.</summary>
     public string Played => Scene.Text(Math.Max(1, StepsDone));
 
-    /// <summary>The scene file as it was given, with the rule that was chosen.</summary>
+    /// <summary>The scene file as given, with the chosen integrator.</summary>
     public string Chosen => Scene.Unpressed(Given.Steps.Count);
 
-    /// <summary>What has been played, read from its scene file, with the bodies of Unity's.</summary>
+    /// <summary>The motion so far, read from its scene file, with the bodies of Unity's.</summary>
     public SceneDescription PlayedBodies() => WithUnitys(Read(Played), out _);
 
-    /// <summary>The box that is drawn of the first body, and that a script is put on, m.</summary>
+    /// <summary>The box of the first body, also for a script, m.</summary>
     public Vector3d Edges => new Track(Bodies[0].Name, Bodies[0].Mass, ShapeOf(Bodies[0])).Edges;
 
-    /// <summary>What is drawn of a body: the solid box of Unity's inertia, where it is made of vertices.</summary>
+    /// <summary>The drawn shape of a body: the solid box of Unity's inertia, where it is made of vertices.</summary>
     public MassProperties ShapeOf(Body body) => _file.SolidBoxes.GetValueOrDefault(body.Name, body.Mass);
 
-    /// <summary>Puts a script's object beside the first body, or takes it away.</summary>
+    /// <summary>Adds a script's object beside the first body, or removes it.</summary>
     public void PutScript(bool isThere) => Script = isThere ? new ScriptBody(Bodies[0].Mass, _simulation.Scene.Bodies[0].Start) : null;
 
-    /// <summary>One step, by the keys that are held.</summary>
+    /// <summary>One step with the keys held.</summary>
     /// <param name="held">A bit for each key.</param>
     public void Step(int held)
     {
@@ -96,8 +96,8 @@ internal sealed class Course
     }
 
     /// <summary>
-    /// From the start to where it has come: keys that nobody has held yet change nothing before that. A keyboard is one push, and keys of a
-    /// file are one each; locks and a mass that changes act on each push by itself, and round each, so there every key is its own here too.
+    /// From the start to the present step: keys that have not been held change nothing before it. A keyboard is one push, and keys of a
+    /// file are one each; locks and a mass that changes act on each push, with a rounding for each, so there every key is separate here, too.
     /// </summary>
     private void Begin()
     {

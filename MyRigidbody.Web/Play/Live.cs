@@ -5,7 +5,7 @@ using RigidBodyDynamics.Lab;
 
 namespace RigidBodyDynamics.Web.Play;
 
-/// <summary>What the page asks of the simulation. What cannot be done is thrown, as one line for the reader.</summary>
+/// <summary>The page's interface to the simulation. An error is thrown as one line for the reader.</summary>
 internal static partial class Live
 {
     private static readonly Rows Rows = new();
@@ -13,22 +13,22 @@ internal static partial class Live
 
     private static Course Course => _course ?? throw new InvalidOperationException("no scene is open");
 
-    /// <summary>The rules of the catalogue, one a line.</summary>
+    /// <summary>The integrators of the catalogue, one a line.</summary>
     [JSExport]
     internal static string RuleNames() => string.Join('\n', Rules.All.Select(rule => rule.Name));
 
-    /// <summary>A file that lies beside scenes, which may name it.</summary>
+    /// <summary>Stores a file beside scenes, which may name it.</summary>
     [JSExport]
     internal static void Put(string file, byte[] bytes) => File.WriteAllBytes(file, bytes);
 
-    /// <summary>Opens a scene at its start. The scene that was open stays so if this one is refused.</summary>
+    /// <summary>Opens a scene at its start. If it is refused, the open scene stays.</summary>
     /// <param name="file">The name of its file.</param>
-    /// <param name="text">What is in it.</param>
-    /// <param name="rule">The rule of all bodies that are not Unity's; empty for those of the file.</param>
-    /// <param name="besideUnity">Whether a body without one gets a body of Unity's beside it.</param>
-    /// <param name="ownKeys">Whether the keys of the file are left out.</param>
-    /// <param name="withScript">Whether a script's object stands beside the first body.</param>
-    /// <returns>What the page needs to know to draw it, as JSON.</returns>
+    /// <param name="text">Its text.</param>
+    /// <param name="rule">The integrator of all bodies that are not Unity's; empty for those of the file.</param>
+    /// <param name="besideUnity">True if a body without one gets a body of Unity's beside it.</param>
+    /// <param name="ownKeys">True if the keys of the file are left out.</param>
+    /// <param name="withScript">True if there is a script's object beside the first body.</param>
+    /// <returns>The page's data for drawing it, as JSON.</returns>
     [JSExport]
     internal static string Open(string file, string text, string rule, bool besideUnity, bool ownKeys, bool withScript) => Said(() =>
     {
@@ -39,14 +39,14 @@ internal static partial class Live
         return Opened.Json(course, Rows);
     });
 
-    /// <summary>Where rows lie in the memory of this program, and before them poses of the script.</summary>
+    /// <summary>The address of the rows in the memory of this program, after poses of the script.</summary>
     [JSExport]
     internal static int Address() => (int)Rows.Address;
 
-    /// <summary>Steps by the keys that are held, and writes a row after each.</summary>
+    /// <summary>Steps with the keys held, and writes a row after each step.</summary>
     /// <param name="held">A bit for each key, the first of <see cref="LabKey"/> the lowest.</param>
-    /// <param name="count">How many steps, at most <see cref="Play.Rows.Most"/>.</param>
-    /// <returns>How many rows there are: fewer where the scene ends.</returns>
+    /// <param name="count">The number of steps, at most <see cref="Play.Rows.Most"/>.</param>
+    /// <returns>The number of rows: fewer where the scene ends.</returns>
     [JSExport]
     internal static int Step(int held, int count) => Said(() =>
     {
@@ -67,17 +67,17 @@ internal static partial class Live
         return row;
     });
 
-    /// <summary>The scene file of what has been played.</summary>
+    /// <summary>The scene file of the motion so far.</summary>
     [JSExport]
     internal static string Played() => Said(() => Course.Played);
 
-    /// <summary>The scene file as it was given, with the rule that was chosen.</summary>
+    /// <summary>The scene file as given, with the chosen integrator.</summary>
     [JSExport]
     internal static string Chosen() => Said(() => Course.Chosen);
 
-    /// <summary>What has been played as recordings: a list of files, name and text, as JSON.</summary>
-    /// <param name="name">What they are called.</param>
-    /// <param name="poses">Of the script's object after every step, seven numbers each.</param>
+    /// <summary>The motion so far as recordings: a list of files, name and text, as JSON.</summary>
+    /// <param name="name">Their name.</param>
+    /// <param name="poses">The poses of the script's object after every step, seven numbers each.</param>
     [JSExport]
     internal static string Recordings(string name, double[] poses) => Said(() =>
     {

@@ -7,7 +7,7 @@ using RigidBodyDynamics.Lab.Report;
 
 namespace RigidBodyDynamics.Web.Play;
 
-/// <summary>What the page needs to know of a scene that has been opened: the motion, so far its first moment, and how it will go on.</summary>
+/// <summary>The page's data about an opened scene: the motion, which has its first moment only, and its steps.</summary>
 internal static class Opened
 {
     private static readonly Word ScriptName = new("your script", "你的脚本");
@@ -59,7 +59,7 @@ internal static class Opened
         return track;
     }
 
-    /// <summary>The object that a script is put on: the first body's box, where that body starts.</summary>
+    /// <summary>The object of a script: the first body's box, at the start of that body.</summary>
     private static void Setting(Utf8JsonWriter json, Course course)
     {
         BodyState start = course.Bodies[0].Plan.Asked.Start;

@@ -7,8 +7,8 @@ using System.Text.Json.Nodes;
 namespace RigidBodyDynamics.Web.Play;
 
 /// <summary>
-/// A scene file with what the reader has made of it: another rule, and the keys as he held them. The command line makes the same motion
-/// of it that the page shows, to the bit.
+/// A scene file with the reader's changes: another integrator, and the keys as they were held. The command line computes from it the
+/// motion that the page shows, to the bit.
 /// </summary>
 internal sealed class PlayedScene
 {
@@ -18,10 +18,10 @@ internal sealed class PlayedScene
 
     private readonly JsonObject _scene;
 
-    /// <summary>A scene file, which has been read once without complaint.</summary>
+    /// <summary>A scene file that has been read without an error.</summary>
     /// <param name="text">Its text.</param>
-    /// <param name="steps">When its steps start.</param>
-    /// <param name="rule">The rule of all bodies that are not Unity's; null for those of the file.</param>
+    /// <param name="steps">Its steps.</param>
+    /// <param name="rule">The integrator of all bodies that are not Unity's; null for those of the file.</param>
     public PlayedScene(string text, TimeSteps steps, string? rule)
     {
         _scene = JsonNode.Parse(text, documentOptions: Lenient)!.AsObject();
@@ -36,25 +36,25 @@ internal sealed class PlayedScene
         HasEnd = steps.FirstOfOtherLength >= 0 || !TakesKeys || Bodies(_scene).Any(body => Effects(body).Any(effect => effect.ContainsKey("perStep")));
     }
 
-    /// <summary>When its steps start.</summary>
+    /// <summary>Its steps.</summary>
     public TimeSteps Steps { get; }
 
-    /// <summary>False for a recording, whose pushes are what was recorded.</summary>
+    /// <summary>False for a recording, whose forces and torques are the recorded ones.</summary>
     public bool TakesKeys { get; }
 
-    /// <summary>True where the file says what happens in each step, and nothing of the time after it.</summary>
+    /// <summary>True where the file defines each step, and none after the last.</summary>
     public bool HasEnd { get; }
 
-    /// <summary>The step from which the reader holds the keys, and the file no more.</summary>
+    /// <summary>The step from which the reader's keys replace the file's.</summary>
     public long? TakenOver { get; set; }
 
-    /// <summary>When the reader's keys begin, s.</summary>
+    /// <summary>The time at which the reader's keys begin, s.</summary>
     public double HandedOver => Steps.StartOf(TakenOver ?? 0);
 
     /// <summary>The keys that the reader has held.</summary>
     public Presses Presses { get; } = new();
 
-    /// <summary>Names of the bodies that the reader's keys push: those that have keys in the file, and all where none has.</summary>
+    /// <summary>Names of the bodies on which the reader's keys act: those that have keys in the file, or all where none has.</summary>
     public IEnumerable<string> Pushed
     {
         get
@@ -68,7 +68,7 @@ internal sealed class PlayedScene
     public string Unpressed(long count) => Text(count, _ => []);
 
     /// <summary>The scene file.</summary>
-    /// <param name="count">How many steps it has.</param>
+    /// <param name="count">The number of steps.</param>
     public string Text(long count) => Text(count, body => [.. Presses.All.Select(Press), .. Idle(body)]);
 
     private string Text(long count, Func<JsonObject, IEnumerable<JsonObject>> presses)
@@ -122,8 +122,8 @@ internal sealed class PlayedScene
     }
 
     /// <summary>
-    /// A keyboard that nobody touches is a push of nothing, and a rule of higher order then steps where without one it would take the
-    /// whole way at once, and round otherwise. In the file the same push of nothing stands in its place.
+    /// A keyboard without held keys is a push of zero, under which an integrator of higher order takes steps, where without it the whole
+    /// time would be one closed form, with other roundings. The file has the same push of zero in its place.
     /// </summary>
     private IEnumerable<JsonObject> Idle(JsonObject body) => Rules.Named((string?)body["integrator"] ?? Rules.Default.Name).Order > 1
         ? [new JsonObject { ["torque"] = new JsonObject { ["frame"] = "world", ["sin"] = new JsonArray(0, 0, 0) }, ["from"] = HandedOver }]

@@ -2,10 +2,10 @@ using RigidBodyDynamics.Lab;
 
 namespace RigidBodyDynamics.Web.Play;
 
-/// <summary>The keys of the lab as they were held, by the numbers of steps.</summary>
+/// <summary>The keys of the lab as held, by the numbers of steps.</summary>
 internal sealed class Presses
 {
-    /// <summary>A key that is still held is held without an end.</summary>
+    /// <summary>The end of a key that is still held.</summary>
     public const long Open = long.MaxValue;
 
     // a body has at most 1000 effects, and some are the scene's own
@@ -16,16 +16,16 @@ internal sealed class Presses
     private readonly List<(LabKey Key, long From, long To)> _all = [];
     private int _held;
 
-    /// <summary>Each from the step that felt it first to the first that did not; in the order of keys, in which their forces are added.</summary>
+    /// <summary>Each from its first step to the first step after it; in the order of keys, in which their forces are added.</summary>
     public IEnumerable<(LabKey Key, long From, long To)> All => _all.OrderBy(press => press.Key);
 
-    /// <summary>What finds the keys held.</summary>
+    /// <summary>The keys held at present.</summary>
     public LabKeyboard Keyboard { get; } = new();
 
-    /// <summary>Which keys are held from a step on. True if that is a change. Keys that push against each other push nothing.</summary>
+    /// <summary>Sets the keys held from a step on. True if that is a change. Keys of opposite directions give no force.</summary>
     /// <param name="held">A bit for each key, the first of <see cref="LabKey"/> the lowest.</param>
     /// <param name="step">The next step.</param>
-    /// <exception cref="InputException">There have been as many presses as a scene can hold.</exception>
+    /// <exception cref="InputException">There are as many presses as a scene can hold.</exception>
     public bool Hold(int held, long step)
     {
         foreach ((LabKey one, LabKey other) in Opposite)

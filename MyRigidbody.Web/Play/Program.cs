@@ -4,7 +4,7 @@ using System.Runtime.Versioning;
 
 namespace RigidBodyDynamics.Web.Play;
 
-/// <summary>The runtime asks for a start; everything else is asked for by the page.</summary>
+/// <summary>The runtime needs an entry point; the page calls everything else.</summary>
 internal static class Program
 {
     private static void Main()

@@ -7,23 +7,23 @@ using RigidBodyDynamics.Lab.Report;
 
 namespace RigidBodyDynamics.Web.Play;
 
-/// <summary>What has been played as recordings, which <c>compare</c> reads: NAME.json has all that went in, NAME.csv all that came out.</summary>
+/// <summary>The motion so far as recordings, which <c>compare</c> reads: NAME.json has the input, NAME.csv the output.</summary>
 internal static class RecordingFiles
 {
     private const string Header = "step,t,px,py,pz,qx,qy,qz,qw,vx,vy,vz,wx,wy,wz,wakeCounter,asleep";
 
-    // the sheet's factor on the velocities: nobody but a script itself knows what it counts with
+    // the sheet's factor on the velocities, because that of the script is unknown
     private const double Decay = 0.98;
 
-    // of a step: times of effects may miss its start by a rounding
+    // in steps: times of effects may miss the start of a step by a rounding
     private const double Same = 1e-6;
 
     private static readonly JsonWriterOptions Options = new() { Indented = true, Encoder = JavaScriptEncoder.UnsafeRelaxedJsonEscaping };
 
-    /// <summary>Of every body that is Unity's and has nothing but pushes and gravity, and of the script.</summary>
-    /// <param name="course">What has been played.</param>
-    /// <param name="name">What the recordings are called.</param>
-    /// <param name="poses">Of the script's object after every step, seven numbers each; empty without a script.</param>
+    /// <summary>For every body of Unity's that has only pushes and gravity, and for the script.</summary>
+    /// <param name="course">The motion.</param>
+    /// <param name="name">The name of the recordings.</param>
+    /// <param name="poses">The poses of the script's object after every step, seven numbers each; empty without a script.</param>
     public static IEnumerable<(string Name, string Text)> Of(Course course, string name, ReadOnlySpan<double> poses)
     {
         List<(string, string)> files = [];
@@ -124,7 +124,7 @@ internal static class RecordingFiles
         Numbers(json, "rotation", Parts(body.Start.Orientation));
     }
 
-    // its bits are x, y, z from the first on
+    // the bits are x, y, z from the first on
     private static string Axes(Locks locked, Locks first) =>
         string.Concat("xyz".Where((_, i) => ((int)locked & ((int)first << i)) != 0));
 
@@ -147,7 +147,7 @@ internal static class RecordingFiles
         return Encoding.UTF8.GetString(bytes.ToArray()) + "\n";
     }
 
-    /// <summary>What pushes at the start of a step, world axes.</summary>
+    /// <summary>The force and torque at the start of a step, world axes.</summary>
     private static Wrench PushAt(TimeSteps steps, long step, BodyDescription body, in BodyState state)
     {
         Wrench sum = default;
@@ -173,7 +173,7 @@ internal static class RecordingFiles
 
     private static double[] Parts(Vector3d v) => [v.X, v.Y, v.Z];
 
-    // here, unlike in scenes, x, y, z, w
+    // here, unlike in scenes, the order is x, y, z, w
     private static double[] Parts(Quaterniond q) => [q.X, q.Y, q.Z, q.W];
 
     private static void Number(Utf8JsonWriter json, string name, double number)
@@ -188,6 +188,6 @@ internal static class RecordingFiles
         json.WriteRawValue("[" + string.Join(", ", numbers.Select(Text)) + "]");
     }
 
-    // nine digits bring every float back to the bit
+    // with nine digits every float is read back to the bit
     private static string Text(double number) => ((float)number).ToString("g9", CultureInfo.InvariantCulture);
 }

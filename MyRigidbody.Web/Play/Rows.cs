@@ -3,12 +3,12 @@ using System.Runtime.InteropServices;
 namespace RigidBodyDynamics.Web.Play;
 
 /// <summary>
-/// Numbers that the page reads where they lie. A row is a moment: the time; of each body position (3), orientation (4), angular
-/// velocity (3) and energy; of each pair distance and angle in degrees. Poses of the script (7) come in before the rows.
+/// Numbers that the page reads in this program's memory. A row is a moment: the time; for each body position (3), orientation (4),
+/// angular velocity (3) and energy; for each pair distance and angle in degrees. Poses of the script (7) are before the rows.
 /// </summary>
 internal sealed class Rows
 {
-    /// <summary>So many rows at once.</summary>
+    /// <summary>The number of rows.</summary>
     public const int Most = 64;
 
     private const int PerBody = 11, PerPair = 2, PerPose = 7;
@@ -16,10 +16,10 @@ internal sealed class Rows
     private double[] _numbers = [];
     private int _at;
 
-    /// <summary>How many numbers a row has.</summary>
+    /// <summary>The number of numbers in a row.</summary>
     public int Width { get; private set; }
 
-    /// <summary>Where the script's poses lie, and behind them the rows: an address in the memory of the page's program.</summary>
+    /// <summary>The address of the script's poses, followed by the rows, in the memory of the page's program.</summary>
     public nint Address => Marshal.UnsafeAddrOfPinnedArrayElement(_numbers, 0);
 
     /// <summary>Makes room for the rows of a motion.</summary>
@@ -32,19 +32,19 @@ internal sealed class Rows
             _numbers = GC.AllocateArray<double>(length, pinned: true);
     }
 
-    /// <summary>The pairs that are compared, the script's object with the first body and with Unity's among them.</summary>
+    /// <summary>The compared pairs, including those of the script's object with the first body and with Unity's.</summary>
     public static IEnumerable<(int First, int Second)> PairsOf(Course course) => course.Script == null
         ? course.Pairs
         : [.. course.Pairs, (0, course.Bodies.Count), .. course.Pairs.Take(1).Select(pair => (pair.Second, course.Bodies.Count))];
 
-    /// <summary>The pose that the script has after the step that becomes a row.</summary>
+    /// <summary>The pose of the script after the step of a row.</summary>
     public (Vector3d Position, Quaterniond Orientation) Pose(int row)
     {
         ReadOnlySpan<double> n = _numbers.AsSpan(PerPose * row, PerPose);
         return (new Vector3d(n[0], n[1], n[2]), new Quaterniond(n[3], n[4], n[5], n[6]));
     }
 
-    /// <summary>Writes where all bodies are.</summary>
+    /// <summary>Writes the states of all bodies.</summary>
     public void Write(Course course, int row)
     {
         _at = Most * PerPose + Width * row;

@@ -6,7 +6,7 @@ using Microsoft.Net.Http.Headers;
 
 namespace RigidBodyDynamics.Web.Server;
 
-/// <summary>Sends a file as it lies packed beside itself, to a browser that accepts that.</summary>
+/// <summary>Sends the compressed copy of a file to a browser that accepts it.</summary>
 internal static class Packed
 {
     private static readonly FileExtensionContentTypeProvider Types = new();

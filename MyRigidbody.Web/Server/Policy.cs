@@ -2,7 +2,7 @@ using System.Text.RegularExpressions;
 
 namespace RigidBodyDynamics.Web.Server;
 
-/// <summary>What the browser may do on behalf of the page: the page says it, and the server repeats it for every file.</summary>
+/// <summary>What the browser may do for the page: the page states it, and the server repeats it for every file.</summary>
 internal static partial class Policy
 {
     /// <summary>The Content-Security-Policy of the site's page.</summary>

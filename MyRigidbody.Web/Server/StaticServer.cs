@@ -16,7 +16,7 @@ namespace RigidBodyDynamics.Web.Server;
 /// <summary>Sends the files of the site to browsers of this machine, and nothing else.</summary>
 internal static class StaticServer
 {
-    /// <summary>Refuses a port that another program has.</summary>
+    /// <summary>Refuses a port that another program uses.</summary>
     public static void MustBeFree(int port)
     {
         try
@@ -60,7 +60,7 @@ internal static class StaticServer
         await server.WaitForShutdownAsync(stop);
     }
 
-    // where there is a desktop; that there is none is no error
+    // a machine without a desktop is no error
     private static void OpenBrowser(string address)
     {
         try

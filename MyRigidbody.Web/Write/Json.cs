@@ -5,7 +5,7 @@ using RigidBodyDynamics.StudentScripts;
 
 namespace RigidBodyDynamics.Web.Write;
 
-/// <summary>What goes between worker.js and this program.</summary>
+/// <summary>Conversion of data between worker.js and this program.</summary>
 internal static class Json
 {
     private static readonly JsonSerializerOptions Options = new() { Encoder = JavaScriptEncoder.Create(UnicodeRanges.All) };

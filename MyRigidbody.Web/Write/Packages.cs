@@ -10,14 +10,14 @@ using RigidBodyDynamics.StudentScripts;
 
 namespace RigidBodyDynamics.Web.Write;
 
-/// <summary>Packages that are dropped onto the page, and the one that is handed in.</summary>
+/// <summary>Packages dropped onto the page, and the package for submission.</summary>
 internal static partial class Packages
 {
     private const string Folder = "Assets/MyRigidbodyStarter", FolderMeta = "MyRigidbodyStarter.meta", Main = "MyRigidbody.cs", MainMeta = Main + ".meta";
 
     private static string? _whyNot;
 
-    /// <summary>The scripts in a file, as grade would read it: their names and texts, or what is wrong with it.</summary>
+    /// <summary>The scripts in a file, read as by grade: their names and texts, or the error.</summary>
     [JSExport]
     internal static string Unpack(string name, byte[] bytes)
     {
@@ -29,7 +29,7 @@ internal static partial class Packages
             : Refusal(problem.Code, problem.English, problem.Chinese);
     }
 
-    /// <summary>The .unitypackage of a submission of this name; empty where it is refused.</summary>
+    /// <summary>The .unitypackage of a submission with this name; empty where it is refused.</summary>
     [JSExport]
     internal static byte[] Package(string[] names, int[] lengths, byte[] bytes, string name)
     {
@@ -61,18 +61,18 @@ internal static partial class Packages
 
     private static Asset InProject(ScriptFile file)
     {
-        // as the rules of a package have it: no mark, and LF at the end of lines
+        // as the requirements of a package have it: no byte order mark, and LF line ends
         byte[] text = Encoding.UTF8.GetBytes(SourceText.Decode(file.Bytes).Text.ReplaceLineEndings("\n"));
         string name = file.Name.Split('/', '\\')[^1], path = Folder + "/" + name;
         if (name == Main)
             return Starter(path, text, MainMeta);
 
-        // the same in every package: Unity then knows that it is the same file
+        // the same in every package, so that Unity recognises the same file
         string guid = Convert.ToHexStringLower(SHA256.HashData(Encoding.UTF8.GetBytes(path)))[..32], meta = Encoding.UTF8.GetString(Resource(MainMeta));
         return new Asset(path, guid, text, Encoding.UTF8.GetBytes(meta.Replace(Meta.GuidOf(MainMeta, Resource(MainMeta)), guid, StringComparison.Ordinal)));
     }
 
-    // with the starter's own GUID it takes the place of what was handed out
+    // with the starter's own GUID it replaces the given file
     private static Asset Starter(string path, byte[]? content, string meta) => new(path, Meta.GuidOf(meta, Resource(meta)), content, Resource(meta));
 
     private static byte[] Resource(string name)

@@ -6,21 +6,21 @@ using RigidBodyDynamics.Lab.Report;
 
 namespace RigidBodyDynamics.Web.Write;
 
-/// <summary>The report of what was played: the page that compare writes of its scene, with the script's object on its replay.</summary>
+/// <summary>The report of a played motion: the page that compare writes for its scene, with the script's object in its replay.</summary>
 internal static partial class PlayedReport
 {
     private const int PerPose = 7;
 
-    /// <summary>A file that the scene names.</summary>
+    /// <summary>Stores a file that the scene names.</summary>
     [JSExport]
     internal static void Put(string file, byte[] bytes) => File.WriteAllBytes(file, bytes);
 
     /// <summary>The report as HTML.</summary>
     /// <param name="file">The name of the scene's file.</param>
-    /// <param name="text">What is in it.</param>
-    /// <param name="names">What the script's object is called, in English and in Chinese.</param>
+    /// <param name="text">Its text.</param>
+    /// <param name="names">The name of the script's object, in English and in Chinese.</param>
     /// <param name="poses">Seven numbers for its start and for every step; none without a script.</param>
-    /// <param name="plotting">The library that draws curves.</param>
+    /// <param name="plotting">The plotting library.</param>
     [JSExport]
     internal static string Html(string file, string text, string[] names, double[] poses, string plotting)
     {

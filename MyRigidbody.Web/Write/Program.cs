@@ -4,9 +4,9 @@ using System.Runtime.Versioning;
 
 namespace RigidBodyDynamics.Web.Write;
 
-/// <summary>The program of the worker, which does nothing until it is asked.</summary>
+/// <summary>The program of the worker, which only answers calls.</summary>
 internal static class Program
 {
-    // what scripts write goes nowhere
+    // output of scripts is discarded
     private static void Main() => Console.SetOut(TextWriter.Null);
 }

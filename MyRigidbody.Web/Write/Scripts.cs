@@ -8,7 +8,7 @@ using RigidBodyDynamics.StudentScripts;
 
 namespace RigidBodyDynamics.Web.Write;
 
-/// <summary>What worker.js asks about scripts. Files come as their names, their lengths, and their bytes one after another.</summary>
+/// <summary>The worker's questions about scripts. Files come as their names, their lengths, and their bytes one after another.</summary>
 internal static partial class Scripts
 {
     private static readonly LocalRunner Runner = new() { IsRunning = IsRunning, AtWork = AtWork };
@@ -17,7 +17,7 @@ internal static partial class Scripts
     private static ScriptReport? _judged;
     private static long _said;
 
-    /// <summary>What keeps the script from being run: an array of places, from 1, with code and sentences.</summary>
+    /// <summary>What prevents running the script: an array of places, from 1, with code and sentences.</summary>
     [JSExport]
     internal static string Errors(string[] names, int[] lengths, byte[] bytes) => Json.Of(Runner.Objections(Json.Files(names, lengths, bytes)).Select(objection =>
     {
@@ -45,11 +45,11 @@ internal static partial class Scripts
     internal static string Ended(string[] names, int[] lengths, byte[] bytes, string language, string code) =>
         Said(names[0], Runner.Ended(Json.Files(names, lengths, bytes), code), language);
 
-    /// <summary>The script that was judged last, moving beside the reference and Unity's body; null where it was not run to its end.</summary>
+    /// <summary>The motion of the last judged script, beside the reference and Unity's body; null where it was not run to its end.</summary>
     [JSExport]
     internal static string? Motion() => _judged?.Recording is { } recording ? MotionJson.Of(ScriptMotion.Of(recording)) : null;
 
-    /// <summary>Puts a script on a box of three edges, at x y z, turned by w x y z, with frames of so many seconds; why it cannot be, or null.</summary>
+    /// <summary>Puts a script on a box at x y z with orientation w x y z, for frames of a length in seconds; returns why it cannot be, or null.</summary>
     [JSExport]
     internal static string? Play(string[] names, int[] lengths, byte[] bytes, double[] edges, double[] position, double[] orientation, double delta)
     {
@@ -57,11 +57,11 @@ internal static partial class Scripts
         return Shown(Runner.Play(Json.Files(names, lengths, bytes), new Vector(edges[0], edges[1], edges[2]), pose, delta));
     }
 
-    /// <summary>Frames of the script that is played with these keys held; a pose of seven numbers for each, and fewer where it stops.</summary>
+    /// <summary>Plays frames of the script with these keys held; returns a pose of seven numbers for each, fewer where it stops.</summary>
     [JSExport]
     internal static double[] Step(int held, int count) => Runner.Playing?.Step((Keys)held, count) ?? [];
 
-    /// <summary>Why the script that was played is played no longer; null while it is.</summary>
+    /// <summary>Why the played script has stopped; null while it plays.</summary>
     [JSExport]
     internal static string? Stopped() => Shown(Runner.Playing?.Stopped);
 
@@ -78,11 +78,11 @@ internal static partial class Scripts
         return Json.Of(new { verdict = JsonNode.Parse(CheckJson.Of(name, report)), lines = lines.ToString(), check = ShownCheck.Of(report), hasMotion = report.Recording != null });
     }
 
-    // the page's watch counts from here
+    // the page measures the time from here
     [JSImport("globalThis.scriptRuns")]
     private static partial void Tell(bool isRunning);
 
-    // the page hears of it a few times in a second
+    // the page is told a few times in a second
     private static void AtWork()
     {
         if (Environment.TickCount64 - _said > Often)

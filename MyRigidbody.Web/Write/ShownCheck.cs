@@ -5,10 +5,10 @@ using RigidBodyDynamics.StudentScripts;
 
 namespace RigidBodyDynamics.Web.Write;
 
-/// <summary>What the page of check shows, as data for the lamps beside the editor: its words in both languages, and the lines.</summary>
+/// <summary>The page of check as data for the lamps beside the editor: its words in both languages, and the lines.</summary>
 internal static class ShownCheck
 {
-    /// <summary>Lamps in the order of the steps, then what is off.</summary>
+    /// <summary>Lamps in the order of the steps, then the findings.</summary>
     public static object Of(ScriptReport report)
     {
         CheckPage.Findings shown = new(report);

@@ -7,16 +7,16 @@ using RigidBodyDynamics.Lab.Report;
 
 namespace RigidBodyDynamics.Web.Play;
 
-/// <summary>What accuracy costs in time on a scene, measured in the page: in a worker, which may be ended at any time.</summary>
+/// <summary>Accuracy against time for a scene, measured in the page: in a worker, which may be ended at any time.</summary>
 internal static partial class Costs
 {
-    // of the time that it may take; a truth that is not found by then is given up after its last refinement
+    // parts of the time allowed; a truth that is not found by then is given up after its last refinement
     private const double ForTruth = 0.25, MostForTruth = 6;
 
-    /// <summary>What the page shows: the diagram's trials, the rows of the table, where the truth comes from and how fine the clock is; or a line, why not.</summary>
+    /// <summary>The page's data: the trials of the diagram, the rows of the table, the source of the truth and the clock's resolution; or an error in one line.</summary>
     /// <param name="file">Name of the scene's file.</param>
-    /// <param name="text">What stands in it.</param>
-    /// <param name="seconds">How long it may take, s.</param>
+    /// <param name="text">The text of the file.</param>
+    /// <param name="seconds">The time allowed, s.</param>
     [JSExport]
     internal static string Of(string file, string text, double seconds)
     {
@@ -31,7 +31,7 @@ internal static partial class Costs
         }
     }
 
-    /// <summary>A file that the scene names.</summary>
+    /// <summary>Stores a file that the scene names.</summary>
     [JSExport]
     internal static void Keep(string file, string text) => File.WriteAllText(file, text);
 
@@ -65,7 +65,7 @@ internal static partial class Costs
 
     private static JsonArray Texts(IEnumerable<string> texts) => new([.. texts.Select(text => (JsonNode)text)]);
 
-    /// <summary>Tells the page how much of it is done.</summary>
+    /// <summary>Tells the page the finished fraction.</summary>
     [JSImport("globalThis.postMessage")]
     private static partial void Tell(double done);
 }

@@ -5,14 +5,14 @@ using UnityEngine;
 
 namespace RigidBodyDynamics.Scripts.Editing
 {
-    /// <summary>The inspector of a MyRigidbody: the catalogue as a menu, what stands in the way, and what the motion consists of.</summary>
+    /// <summary>The inspector of a MyRigidbody: the catalogue as a menu, errors in its settings, and the parts of its motion.</summary>
     [CustomEditor(typeof(MyRigidbody))]
     [CanEditMultipleObjects]
     public sealed class MyRigidbodyEditor : Editor
     {
         private static readonly string[] Names = Rules.All.Select(rule => rule.Name).ToArray();
 
-        /// <summary>Draws it.</summary>
+        /// <summary>Draws the inspector.</summary>
         public override void OnInspectorGUI()
         {
             serializedObject.Update();
@@ -34,7 +34,7 @@ namespace RigidBodyDynamics.Scripts.Editing
                 EditorGUILayout.HelpBox(body.Explain(), MessageType.Info);
         }
 
-        // the script itself can be opened here, as in every inspector, and not be changed
+        // the script field can be opened, as in every inspector, but not changed
         private static void Field(SerializedProperty property)
         {
             using (new EditorGUI.DisabledScope(property.name == "m_Script"))

@@ -2,7 +2,7 @@ using UnityEditor;
 
 namespace RigidBodyDynamics.Scripts.Editing
 {
-    /// <summary>A paused editor does not say when a key goes up, so nothing is held after a pause that nobody holds.</summary>
+    /// <summary>A paused editor does not report released keys, so all keys are released after a pause.</summary>
     [InitializeOnLoad]
     internal static class PausedEditor
     {

@@ -4,10 +4,10 @@ using UnityEngine.InputSystem.Controls;
 
 namespace RigidBodyDynamics.Scripts
 {
-    /// <summary>The lab's keys by the Input System. An assembly of its own, which Unity leaves out where the package is not in the project.</summary>
+    /// <summary>The lab's keys by the Input System. An assembly of its own, which Unity leaves out where the project does not have the package.</summary>
     internal static class InputSystemKeys
     {
-        // and once more where changed scripts are loaded while the game plays
+        // called again where changed scripts are loaded while the game plays
 #if UNITY_EDITOR
         [UnityEditor.InitializeOnLoadMethod]
 #endif

@@ -1,12 +1,12 @@
 namespace RigidBodyDynamics.Scripts
 {
     /// <summary>
-    /// Sees when PhysX would let a body fall asleep: in 0.2 s it has hardly moved to and fro. Whoever sets a velocity sets back the clock
-    /// that the engine has for that, so a body that is to sleep must be left alone.
+    /// Finds when PhysX would let a body fall asleep: when it has hardly moved for 0.2 s. Setting a velocity resets the engine's counter
+    /// for that, so a body that should fall asleep must be left alone.
     /// </summary>
     /// <remarks>
-    /// As PhysX does it: the velocities of the steps are added up, and the energy of the sums is compared with the threshold, which is
-    /// multiplied where the body touches others, by one and their number. Here it touches three where every step has pushed it.
+    /// As in PhysX, the velocities of the steps are added up, and the energy of the sums is compared with the threshold, which is
+    /// multiplied where the body touches others, by one and their number. Here three contacts are assumed if every step has pushed it.
     /// </remarks>
     internal struct Calm
     {
@@ -16,11 +16,11 @@ namespace RigidBodyDynamics.Scripts
         private double _time;
         private bool _isCalm, _isFree;
 
-        /// <summary>To be called once a step.</summary>
+        /// <summary>Called once a step.</summary>
         /// <param name="body">The body.</param>
-        /// <param name="inertia">Of 1 kg, body axes.</param>
+        /// <param name="inertia">For 1 kg, body axes.</param>
         /// <param name="step">The step, s.</param>
-        /// <param name="isPushed">Whether the engine pushed it in the last step; not known while it is calm.</param>
+        /// <param name="isPushed">True if the engine pushed it in the last step; unknown while it is calm.</param>
         public bool Look(in EngineBody body, SymmetricMatrix3 inertia, double step, bool isPushed)
         {
             _isFree |= !isPushed && !_isCalm;

@@ -4,7 +4,7 @@ namespace RigidBodyDynamics.Scripts
 {
     /// <summary>
     /// The course's script for Unity's own Rigidbody: the same keys give the same force and torque, and the engine moves
-    /// the body by its rule. MyRigidbody is compared with this.
+    /// the body by its own integrator. MyRigidbody is compared with it.
     /// </summary>
     [DisallowMultipleComponent]
     [RequireComponent(typeof(Rigidbody))]
@@ -46,11 +46,11 @@ namespace RigidBodyDynamics.Scripts
         /// <summary>The motion being recorded; null if none is.</summary>
         public Recording Recording { get; private set; }
 
-        /// <summary>Where it is and how it moves, as the engine says.</summary>
+        /// <summary>Its state in the engine.</summary>
         public BodyState State => new BodyState(
             _body.position.Double(), _body.rotation.Double(), EngineVersions.Velocity(_body).Double(), _body.angularVelocity.Double());
 
-        /// <summary>Mass and inertia, as the engine counts them.</summary>
+        /// <summary>Its mass and inertia in the engine.</summary>
         public MassProperties Mass => MassProperties.FromPrincipal(
             _body.mass, UnitySettings.Moments(_body.inertiaTensor.Double(), out _), _body.inertiaTensorRotation.Double(), _body.centerOfMass.Double());
 
@@ -66,7 +66,7 @@ namespace RigidBodyDynamics.Scripts
 
         private void OnDestroy() => Experiment.BodiesHaveChanged();
 
-        // once in every fixed step, just before the engine moves its bodies: what is added here acts for that one step
+        // once in every fixed step, just before the engine moves its bodies: a force added here acts for that one step
         private void FixedUpdate() => Step();
 
         // once a frame: at 200 frames a second four times in every fixed step, and the forces add up
@@ -76,22 +76,22 @@ namespace RigidBodyDynamics.Scripts
                 AddPushes();
         }
 
-        /// <summary>What the keys add before a step of the engine.</summary>
+        /// <summary>Adds the keys' force and torque before a step of the engine.</summary>
         public void Step()
         {
-            // force and torque of the keys; the engine adds up what it is given until its next step (while paused, one step is one frame)
+            // force and torque of the keys; the engine sums them until its next step (while paused, one step is one frame)
             if (!pushesInUpdate || Time.timeScale == 0)
                 AddPushes();
 
-            // where the body is before that step, and what will act in it
+            // the state before that step, and the force and torque in it
             if (Recording != null)
                 Recording.Step(State, _body.IsSleeping());
 
-            // t of the torque; the engine itself now moves the body: v, damping, limit of spin, x, q
+            // t of the torque; the engine itself now moves the body: v, damping, limit of ω, x, q
             _steps++;
         }
 
-        /// <summary>Back to the start, with the settings as they now are.</summary>
+        /// <summary>Back to the start, with the present settings.</summary>
         public void StartAgain()
         {
             Recording = null;
@@ -118,14 +118,14 @@ namespace RigidBodyDynamics.Scripts
         internal BodyState StartState() =>
             new BodyState(_startPosition.Double(), _startRotation.Double(), startVelocity.Double(), startSpin.Double());
 
-        /// <summary>Starts again and records from there, under a name that a file may have.</summary>
+        /// <summary>Starts again and records from there, under a file name.</summary>
         public void Record(string fileName)
         {
             StartAgain();
             Recording = new Recording(fileName, _body, Time.fixedDeltaTime);
         }
 
-        /// <summary>Ends the recording with the state as it now is, and hands it over.</summary>
+        /// <summary>Ends the recording with the present state, and returns it.</summary>
         public Recording EndRecording()
         {
             Recording ended = Recording;
@@ -138,7 +138,7 @@ namespace RigidBodyDynamics.Scripts
 
         private void AddPushes()
         {
-            // each arrow pushes the centre of mass with 5 N along an axis of the world
+            // each arrow applies 5 N to the centre of mass along an axis of the world
             Vector3 force = Vector3.zero;
             if (LabInput.IsHeld(LabKey.LeftArrow))
                 force += new Vector3(-Push, 0, 0);
@@ -149,7 +149,7 @@ namespace RigidBodyDynamics.Scripts
             if (LabInput.IsHeld(LabKey.DownArrow))
                 force += new Vector3(0, -Push, 0);
 
-            // R turns it with (sin t, sin t, sin t) N m, t the time since the start
+            // R applies the torque (sin t, sin t, sin t) N m, t the time since the start
             Vector3 torque = Vector3.zero;
             if (LabInput.IsHeld(LabKey.R))
                 torque = Vector3.one * Mathf.Sin(_steps * Time.fixedDeltaTime);

@@ -2,7 +2,7 @@ using System;
 
 namespace RigidBodyDynamics.Scripts
 {
-    /// <summary>What an engine says of a body, in the engine's own floats.</summary>
+    /// <summary>The state and settings of a body in the engine, in the engine's own floats.</summary>
     internal struct EngineBody
     {
         /// <summary>Takes body axes to world axes.</summary>
@@ -23,10 +23,10 @@ namespace RigidBodyDynamics.Scripts
         /// <summary>Takes principal axes to body axes.</summary>
         public Quaterniond InertiaTensorRotation;
 
-        /// <summary>1/s: the engine takes 1 − c Δt of the angular velocity before it turns the body.</summary>
+        /// <summary>1/s: the engine multiplies the angular velocity by 1 − c Δt before it rotates the body.</summary>
         public double AngularDrag;
 
-        /// <summary>Kinetic energy for each kg, J/kg, below which the engine lets the body fall asleep.</summary>
+        /// <summary>Kinetic energy per kg, J/kg, below which the engine lets the body fall asleep.</summary>
         public double SleepThreshold;
 
         /// <summary>True if the engine does not move it.</summary>
@@ -36,8 +36,8 @@ namespace RigidBodyDynamics.Scripts
         public bool IsLike(in EngineBody other) =>
             InertiaTensor == other.InertiaTensor && InertiaTensorRotation == other.InertiaTensorRotation && AngularDrag == other.AngularDrag;
 
-        /// <summary>How it resists being turned.</summary>
-        /// <param name="frozen">Principal axes about which it cannot.</param>
+        /// <summary>Its mass and inertia.</summary>
+        /// <param name="frozen">The locked principal axes.</param>
         /// <exception cref="ArgumentException">No body has such moments.</exception>
         public MassProperties MassProperties(out Locks frozen)
         {
@@ -45,7 +45,7 @@ namespace RigidBodyDynamics.Scripts
             return RigidBodyDynamics.MassProperties.FromPrincipal(1, Possible(moments), InertiaTensorRotation, Vector3d.Zero);
         }
 
-        /// <summary>Of a thin plate the engine's largest moment may exceed the sum of the others by a rounding.</summary>
+        /// <summary>The engine's largest moment of a thin plate may exceed the sum of the others by a rounding.</summary>
         private static Vector3d Possible(Vector3d moments)
         {
             const double rounding = 1e-5;

@@ -2,7 +2,7 @@ using UnityEngine;
 
 namespace RigidBodyDynamics.Scripts
 {
-    /// <summary>What has other names in other versions of Unity, in one place.</summary>
+    /// <summary>Members whose names differ between versions of Unity, in one place.</summary>
     internal static class EngineVersions
     {
         /// <summary>The velocity of the centre of mass, m/s.</summary>
@@ -57,7 +57,7 @@ namespace RigidBodyDynamics.Scripts
 #endif
         }
 
-        /// <summary>True where the engine steps its physics after each FixedUpdate, as it does unless a script has said otherwise.</summary>
+        /// <summary>True where the engine steps its physics after each FixedUpdate, as it does unless a script has changed that.</summary>
         public static bool StepsPhysicsItself
         {
             get
@@ -70,7 +70,7 @@ namespace RigidBodyDynamics.Scripts
             }
         }
 
-        /// <summary>One step of the engine's physics, although the game stands still.</summary>
+        /// <summary>One step of the engine's physics while the game is paused.</summary>
         public static void StepPhysics()
         {
 #if UNITY_2022_2_OR_NEWER

@@ -5,12 +5,12 @@ using UnityEngine;
 namespace RigidBodyDynamics.Scripts
 {
     /// <summary>
-    /// Makes an ordinary Rigidbody tumble as it should: Unity turns a body by a constant angular velocity, whatever its shape, and so
-    /// no racket of Unity's ever flips. The engine still moves it; contacts, joints and other scripts' torques are the engine's.
+    /// Gives an ordinary Rigidbody its gyroscopic term: Unity rotates a body with constant angular velocity, whatever its shape, so a
+    /// thrown racket does not flip there. The engine still moves the body, with its contacts, joints and other scripts' torques.
     /// </summary>
     /// <remarks>
-    /// Between two steps <c>Rigidbody.angularVelocity</c> is the true one, and may be set. While the engine steps it is the mean over
-    /// the step, which takes the body to where the exact rotation is afterwards; OnCollision messages see that.
+    /// Between two steps <c>Rigidbody.angularVelocity</c> is the true one, and may be set. During the engine's step it is the mean over
+    /// the step, which takes the body to the orientation of the exact rotation; OnCollision messages see that mean.
     /// </remarks>
     [DisallowMultipleComponent]
     [RequireComponent(typeof(Rigidbody))]
@@ -29,7 +29,7 @@ namespace RigidBodyDynamics.Scripts
         private float _otherLimit;
         private Coroutine _watch;
 
-        /// <summary>False while the engine's own motion is left alone: the body sleeps or soon will, is kinematic, or its shape needs nothing.</summary>
+        /// <summary>False where the engine's own motion is right: the body sleeps or soon will, is kinematic, or has no gyroscopic term.</summary>
         public bool IsTurning => isActiveAndEnabled && _top.IsFollowing;
 
         /// <summary>ω after the last step, rad/s, world axes.</summary>
@@ -62,7 +62,7 @@ namespace RigidBodyDynamics.Scripts
                 StopCoroutine(_watch);
 
             _top.Forget();
-            // with the object the Rigidbody may be gone already
+            // the Rigidbody may be destroyed before this component
             if (Body != null)
                 Body.maxAngularVelocity = _otherLimit;
         }
@@ -73,8 +73,8 @@ namespace RigidBodyDynamics.Scripts
                 BeforeSimulate(Time.fixedDeltaTime);
         }
 
-        /// <summary>To be called before Physics.Simulate, by a program that steps physics itself.</summary>
-        /// <param name="step">What it will call it with, s.</param>
+        /// <summary>Called before Physics.Simulate, by a program that steps physics itself.</summary>
+        /// <param name="step">The argument of Simulate, s.</param>
         public void BeforeSimulate(float step)
         {
             if (Body.maxAngularVelocity != maxAngularVelocity)
@@ -91,10 +91,10 @@ namespace RigidBodyDynamics.Scripts
             }
         }
 
-        /// <summary>To be called after Physics.Simulate, by a program that steps physics itself.</summary>
+        /// <summary>Called after Physics.Simulate, by a program that steps physics itself.</summary>
         public void AfterSimulate() => Give(_top.After(Seen()));
 
-        // Unity goes on with it after each step of its physics, once collisions have been told of
+        // Unity continues it after each step of its physics and the messages about collisions
         private IEnumerator Watch()
         {
             while (true)

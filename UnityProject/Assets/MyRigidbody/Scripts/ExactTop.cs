@@ -3,18 +3,18 @@ using System;
 namespace RigidBodyDynamics.Scripts
 {
     /// <summary>
-    /// The exact rotation of a body that an engine moves. PhysX turns a body in each of its steps by its angular velocity, which stays
-    /// as it is for the step; so before the step it is given the angular velocity that takes it to where the free top is afterwards,
-    /// and after the step what the engine has changed (contacts, joints, torques) goes into the free top as an angular impulse.
+    /// The exact rotation of a body that an engine moves. PhysX rotates a body in each step with its angular velocity, constant during
+    /// the step; so before the step the body gets the angular velocity that takes it to the orientation of the free top after the step,
+    /// and after the step any change by the engine (contacts, joints, torques) goes into the free top as an angular impulse.
     /// Between two steps the engine has the top's true angular velocity.
     /// </summary>
-    /// <remarks>It knows no engine, so that the same lines run in Unity, on the stand-in and against PhysX itself.</remarks>
+    /// <remarks>It uses no engine, so that the same lines run in Unity, on the stand-in and against PhysX itself.</remarks>
     internal sealed class ExactTop
     {
-        // what float arithmetic in the engine does to an angular velocity and to an orientation in a step: on PhysX 5.6
+        // the rounding of an angular velocity and of an orientation by the engine's float arithmetic in a step: on PhysX 5.6
         // nothing, 5.8e-8 with drag, and 1.7e-7
         private const double VelocityRounding = 2e-6, TurnRounding = 4e-6;
-        // rad: where the engine has turned a body that far from the top, I is another, and L kept would be energy made
+        // rad: where the engine has rotated a body this far from the top, I has changed, and conserving L would create energy
         private const double HardBlow = 0.01;
 
         private Simulation _simulation;
@@ -27,21 +27,21 @@ namespace RigidBodyDynamics.Scripts
         private Quaterniond _seenOrientation;
         private bool _isNeeded, _isInStep, _isPushed;
 
-        /// <summary>False while the engine's own motion is left alone: the body sleeps or soon will, or has no gyroscopic term.</summary>
+        /// <summary>False where the engine's own motion is right: the body sleeps or soon will, or has no gyroscopic term.</summary>
         public bool IsFollowing { get; private set; }
 
-        /// <summary>The top after the last step. Only its orientation and angular velocity mean anything.</summary>
+        /// <summary>The top after the last step. Only its orientation and angular velocity are meaningful.</summary>
         public BodyState State => _now;
 
-        /// <summary>Of 1 kg: how the body turns does not depend on its mass.</summary>
+        /// <summary>For 1 kg: free rotation does not depend on the mass.</summary>
         public MassProperties Mass => _mass;
 
         private Body Top => _simulation.Bodies[0];
 
-        /// <summary>To be called before a step of the engine.</summary>
-        /// <param name="body">The body as it is.</param>
-        /// <param name="step">The step, s, as the engine counts it.</param>
-        /// <returns>The angular velocity to be set, of numbers that fit a float; null if it is to be left as it is.</returns>
+        /// <summary>Called before a step of the engine.</summary>
+        /// <param name="body">The present body.</param>
+        /// <param name="step">The step in the engine, s.</param>
+        /// <returns>The angular velocity to set, of numbers that fit a float; null for no change.</returns>
         public Vector3d? Before(in EngineBody body, float step)
         {
             if (_isInStep)
@@ -64,8 +64,8 @@ namespace RigidBodyDynamics.Scripts
             return Change(body.AngularVelocity, _given);
         }
 
-        /// <summary>To be called after the engine's step, before any script changes the body.</summary>
-        /// <returns>The true angular velocity to be set, of numbers that fit a float; null if it is to be left as it is.</returns>
+        /// <summary>Called after the engine's step, before any script changes the body.</summary>
+        /// <returns>The true angular velocity to set, of numbers that fit a float; null for no change.</returns>
         public Vector3d? After(in EngineBody body)
         {
             if (!_isInStep)
@@ -83,7 +83,7 @@ namespace RigidBodyDynamics.Scripts
             if (_isPushed)
                 Push(change / _keep);
 
-            // the engine's place holds: a velocity to catch up by would be taken for momentum at the next contact
+            // the engine's orientation is kept: a velocity that corrects it would count as momentum at the next contact
             Quaterniond orientation = body.Orientation.Normalized;
             double off = Conserved.AngleBetween(orientation, _now.Orientation);
             if (_isPushed || off > TurnRounding)
@@ -94,7 +94,7 @@ namespace RigidBodyDynamics.Scripts
             return Change(body.AngularVelocity, _seenVelocity);
         }
 
-        /// <summary>Forgets the motion: the next step begins with what the engine then has.</summary>
+        /// <summary>Forgets the motion: the next step begins with the engine's state.</summary>
         public void Forget() => IsFollowing = _isInStep = false;
 
         private void Make(in EngineBody body, float step)
@@ -103,7 +103,7 @@ namespace RigidBodyDynamics.Scripts
             _madeFor = step;
             _mass = body.MassProperties(out Locks frozen);
             _keep = Math.Max(0, 1 - (float)body.AngularDrag * step);
-            // with an axis frozen no gyroscopic term is left: the engine is right by itself
+            // with a locked axis no gyroscopic term is left: the engine's motion is right
             _isNeeded = !_mass.IsIsotropic && frozen == Locks.None && _keep > 0;
             BodyDescription top = new BodyDescription("top", _mass) { Rule = Rules.Exact };
             double time = (double)(decimal)step;
@@ -115,7 +115,7 @@ namespace RigidBodyDynamics.Scripts
                 Top.State = _now;
         }
 
-        /// <summary>What somebody has set since the last step holds.</summary>
+        /// <summary>Takes over what a script has set since the last step.</summary>
         private void Take(in EngineBody body)
         {
             bool isPlaced = !IsFollowing || body.Orientation != _seenOrientation, isSpun = !IsFollowing || body.AngularVelocity != _seenVelocity;
@@ -132,7 +132,7 @@ namespace RigidBodyDynamics.Scripts
             Top.State = _now;
         }
 
-        /// <summary>The engine has given a push at the beginning of the step: so is it given here, and the step taken again.</summary>
+        /// <summary>The engine has applied an impulse at the beginning of the step: applies it here, and repeats the step.</summary>
         private void Push(Vector3d change)
         {
             Top.State = _before;
@@ -152,7 +152,7 @@ namespace RigidBodyDynamics.Scripts
             return principal.Rotate(Vector3d.Scale(_mass.InversePrincipalMoments, principal.RotateInverse(momentum)));
         }
 
-        /// <summary>The angular velocity that makes a turn in a time; of turns that differ by whole ones, the nearest to what ω makes.</summary>
+        /// <summary>The angular velocity that makes a rotation in a time; of rotations that differ by whole revolutions, the nearest to that of ω.</summary>
         private static Vector3d Mean(Quaterniond turn, Vector3d angularVelocity, double time)
         {
             double sine = turn.Vector.Length;

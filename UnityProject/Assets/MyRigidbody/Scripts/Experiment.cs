@@ -6,7 +6,7 @@ using UnityEngine;
 
 namespace RigidBodyDynamics.Scripts
 {
-    /// <summary>Holds the bodies of the scene together: pause, one step, slow motion, start again, record.</summary>
+    /// <summary>Controls the bodies of the scene together: pause, one step, slow motion, start again, record.</summary>
     [DisallowMultipleComponent]
     [AddComponentMenu("MyRigidbody/Experiment")]
     public sealed class Experiment : MonoBehaviour
@@ -19,14 +19,14 @@ namespace RigidBodyDynamics.Scripts
         private bool _isPaused, _isSlow;
         private int _steps;
 
-        // the speed of time that others want, and the one that was set here last
+        // the time scale that other scripts have set, and the one that was last set here
         private float _theirScale = 1, _ourScale = -1;
 
-        // when the lists were filled; Unity keeps private fields while it loads changed scripts, but no lists that are read only
+        // the frame in which the lists were filled; Unity keeps private fields while it loads changed scripts, but no readonly lists
         [System.NonSerialized]
         private int _gathered = -1;
 
-        /// <summary>The bodies moved by the library, in the order of the scene's hierarchy. To be asked from Start on.</summary>
+        /// <summary>The bodies moved by the library, in the order of the scene's hierarchy. Valid from Start on.</summary>
         public IReadOnlyList<MyRigidbody> Mine
         {
             get
@@ -36,7 +36,7 @@ namespace RigidBodyDynamics.Scripts
             }
         }
 
-        /// <summary>The bodies moved by the engine, in the order of the scene's hierarchy. To be asked from Start on.</summary>
+        /// <summary>The bodies moved by the engine, in the order of the scene's hierarchy. Valid from Start on.</summary>
         public IReadOnlyList<DefaultRigidbody> Theirs
         {
             get
@@ -46,7 +46,7 @@ namespace RigidBodyDynamics.Scripts
             }
         }
 
-        /// <summary>The bodies moved by a student's own script, in the order of the scene's hierarchy. To be asked from Start on.</summary>
+        /// <summary>The bodies moved by a student's own script, in the order of the scene's hierarchy. Valid from Start on.</summary>
         public IReadOnlyList<StudentBody> Students
         {
             get
@@ -78,7 +78,7 @@ namespace RigidBodyDynamics.Scripts
             }
         }
 
-        /// <summary>True while all runs at a tenth of its speed: the same steps, a tenth as often.</summary>
+        /// <summary>True while everything runs at a tenth of its speed: the same steps, a tenth as often.</summary>
         public bool IsSlow
         {
             get => _isSlow;
@@ -95,10 +95,10 @@ namespace RigidBodyDynamics.Scripts
         /// <summary>True while the engine's bodies and the students' are recorded.</summary>
         public bool IsRecording => _theirs.Exists(body => body.Recording != null) || _students.Exists(body => body.Recording != null);
 
-        /// <summary>Where the last recording was written.</summary>
+        /// <summary>The path of the last recording.</summary>
         public string LastRecording { get; private set; }
 
-        /// <summary>A body has come or gone: who holds them together looks for them anew.</summary>
+        /// <summary>Called when a body is added or removed, so that the lists are filled again.</summary>
         internal static void BodiesHaveChanged() => _comings++;
 
         private void Start() => Gather();
@@ -111,7 +111,7 @@ namespace RigidBodyDynamics.Scripts
                 _students.ForEach(body => body.Hold(true));
         }
 
-        // who has just come must not be touched in the step that follows
+        // a body just added must not be changed in the step that follows
         private void FixedUpdate()
         {
             Gather();
@@ -143,7 +143,7 @@ namespace RigidBodyDynamics.Scripts
                 LabInput.LetGo();
         }
 
-        /// <summary>One fixed step of all bodies, those of the engine too; pauses before it. A student's script has the next frame.</summary>
+        /// <summary>One fixed step of all bodies, including the engine's; pauses before it. A student's script runs in the next frame.</summary>
         public void StepOnce()
         {
             IsPaused = true;
@@ -170,7 +170,7 @@ namespace RigidBodyDynamics.Scripts
             _steps++;
         }
 
-        /// <summary>All bodies back to their starts, with their settings as they now are.</summary>
+        /// <summary>All bodies back to their starts, with their present settings.</summary>
         public void StartAgain()
         {
             foreach (MyRigidbody body in Mine)
@@ -198,7 +198,7 @@ namespace RigidBodyDynamics.Scripts
                 body.Record(FileName(body.Name) + "-script-" + now);
         }
 
-        /// <summary>Ends the recordings and writes them; the console and <see cref="LastRecording"/> say where.</summary>
+        /// <summary>Ends the recordings and writes them; the console and <see cref="LastRecording"/> name the files.</summary>
         public void EndRecording() => EndRecording(Path.Combine(Application.persistentDataPath, "recordings"));
 
         /// <summary>Ends the recordings and writes them into a folder.</summary>
@@ -227,7 +227,7 @@ namespace RigidBodyDynamics.Scripts
             }
         }
 
-        // in Awake the scene is not loaded yet, and Unity would not say what is in it
+        // in Awake the scene is not loaded yet, and Unity does not list its objects
         private void Gather()
         {
             int now = _comings + gameObject.scene.rootCount;
@@ -260,7 +260,7 @@ namespace RigidBodyDynamics.Scripts
             KeepApart();
         }
 
-        // bodies that are compared must not touch: one that is pushed at another by a key is another experiment
+        // compared bodies must not touch: a collision caused by a key is another experiment
         private void KeepApart()
         {
             List<Collider> colliders = new List<Collider>();
@@ -276,7 +276,7 @@ namespace RigidBodyDynamics.Scripts
             }
         }
 
-        // a script may set the speed of time, too: what it has set holds, and holds again when nothing is paused or slow here
+        // another script may set the time scale, too: its value is kept, and restored when nothing is paused or slow here
         private void SetTimeScale(bool isOurs)
         {
             if (Time.timeScale != _ourScale)

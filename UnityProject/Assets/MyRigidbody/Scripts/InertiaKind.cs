@@ -3,13 +3,13 @@ using UnityEngine;
 
 namespace RigidBodyDynamics.Scripts
 {
-    /// <summary>Where a body gets its inertia from.</summary>
+    /// <summary>The source of a body's inertia.</summary>
     public enum InertiaKind
     {
         /// <summary>An eighth of the mass in each corner of the box: the lab's sum over vertices. Three times the solid box.</summary>
         LabVertices,
 
-        /// <summary>The box filled evenly: what Unity gives a BoxCollider.</summary>
+        /// <summary>The solid box, as for Unity's BoxCollider.</summary>
         SolidBox,
 
         /// <summary>The lab's sum over all vertices of the object's own mesh.</summary>
@@ -19,7 +19,7 @@ namespace RigidBodyDynamics.Scripts
     /// <summary>Mass and inertia of an object, at the size it has in the scene.</summary>
     internal static class InertiaOf
     {
-        /// <summary>What the library needs to know of an object's mass. Vertices are unscaled in the mesh, so they are scaled here.</summary>
+        /// <summary>The mass properties of an object. Vertices of a mesh are unscaled, so they are scaled here.</summary>
         public static MassProperties Object(Component component, double mass, InertiaKind kind)
         {
             Vector3 size = component.transform.lossyScale;

@@ -4,8 +4,8 @@ using UnityEngine;
 namespace RigidBodyDynamics.Scripts
 {
     /// <summary>
-    /// Which of the lab's keys are held: on the keyboard, by Unity's Input where the project has it, else by the Input System where
-    /// that is, else by the events of the immediate-mode GUI; or on the buttons of the panel.
+    /// The lab's keys that are held: on the keyboard, by Unity's Input where the project has it, else by the Input System if present,
+    /// else by the events of the immediate-mode GUI; or on the buttons of the panel.
     /// </summary>
     public static class LabInput
     {
@@ -17,23 +17,23 @@ namespace RigidBodyDynamics.Scripts
         private static readonly bool[] OnScreen = new bool[5];
 
         /// <summary>
-        /// How to ask the keyboard where there is no Input; null where nobody knows. The assembly MyRigidbody.InputSystem, which
-        /// is there where the Input System is, says it before the first scene is loaded.
+        /// Reads the keyboard where there is no Input; null where nothing can. The assembly MyRigidbody.InputSystem, which exists where the
+        /// Input System does, sets it before the first scene is loaded.
         /// </summary>
         public static Func<LabKey, bool> Keyboard { get; set; }
 
-        /// <summary>True while a key is held in whatever way.</summary>
+        /// <summary>True while a key is held on the keyboard or on the screen.</summary>
         public static bool IsHeld(LabKey key) => OnScreen[(int)key] || InEvents[(int)key] || IsDown((int)key) || (Keyboard != null && Keyboard(key));
 
-        /// <summary>True while a key is held on the keyboard, as a script finds it that asks Unity's Input.</summary>
+        /// <summary>True while a key is held on the keyboard, as for a script that reads Unity's Input.</summary>
         internal static bool IsOnKeyboard(LabKey key) => IsDown((int)key);
 
-        /// <summary>Says whether a button of the panel is held.</summary>
+        /// <summary>Sets whether a button of the panel is held.</summary>
         public static void HoldOnScreen(LabKey key, bool isHeld) => OnScreen[(int)key] = isHeld;
 
         /// <summary>
-        /// Nothing is held any more: the window has lost the keyboard or the game is paused, and nobody will hear the keys go up. A key that is still
-        /// down is heard again.
+        /// Releases all keys: the window has lost the keyboard or the game is paused, so that releases are not reported. A key that is still
+        /// down is reported again.
         /// </summary>
         public static void LetGo()
         {
@@ -41,7 +41,7 @@ namespace RigidBodyDynamics.Scripts
             Array.Clear(OnScreen, 0, OnScreen.Length);
         }
 
-        // where the domain is not reloaded, which is usual from Unity 6.6 on, what is static outlives Stop
+        // where the domain is not reloaded, the default from Unity 6.6 on, static variables keep their values after Stop
         [RuntimeInitializeOnLoadMethod(RuntimeInitializeLoadType.SubsystemRegistration)]
         private static void Begin()
         {
@@ -54,7 +54,7 @@ namespace RigidBodyDynamics.Scripts
 #else
         private static bool IsDown(int key) => false;
 
-        // the project has no Input: an object of our own listens to the events that every OnGUI is given
+        // the project has no Input: an object of our own receives the events of OnGUI
         [RuntimeInitializeOnLoadMethod]
         private static void Listen()
         {
@@ -76,7 +76,7 @@ namespace RigidBodyDynamics.Scripts
             }
         }
 
-        /// <summary>Hears keys go down and up, where nobody can ask the keyboard.</summary>
+        /// <summary>Receives key events where the keyboard cannot be read.</summary>
         private sealed class KeyListener : MonoBehaviour
         {
             private void OnGUI()

@@ -4,7 +4,7 @@ namespace RigidBodyDynamics.Scripts
 {
     /// <summary>
     /// Draws the angular velocity (yellow), the angular momentum (magenta) and the principal axes (red, green, blue; the longer, the
-    /// lighter to turn) of a body. To be seen in the Scene view, and in the Game view while "Gizmos" is on.
+    /// smaller the moment) of a body. Visible in the Scene view, and in the Game view while "Gizmos" is on.
     /// </summary>
     [RequireComponent(typeof(MyRigidbody))]
     [AddComponentMenu("MyRigidbody/Motion Gizmos")]
@@ -35,7 +35,7 @@ namespace RigidBodyDynamics.Scripts
             Draw(Color.blue, center, Axis(axes, new Vector3d(0, 0, 1), moments.Z, mass.Mass));
         }
 
-        // the ellipsoid of inertia has half axes 1 / √I; here scaled by the mass, so that the size of the object stays in sight
+        // the ellipsoid of inertia has half axes 1 / √I; scaled here by the mass, to the size of the object
         private static Vector3 Axis(Quaterniond axes, Vector3d axis, double moment, double mass) =>
             Mathf.Sqrt((float)(mass / moment)) * 0.5f * axes.Rotate(axis).Float();
 

@@ -4,8 +4,8 @@ using UnityEngine;
 namespace RigidBodyDynamics.Scripts
 {
     /// <summary>
-    /// Moves its object as a rigid body: in every fixed step it asks which keys are held, lets the library take one step,
-    /// and puts the object where the library says. The physics is in the library; for the lab's rule, in LabEuler.cs.
+    /// Moves its object as a rigid body: in every fixed step it reads which keys are held, lets the library take one step,
+    /// and sets the object to the new pose. The physics is in the library; the lab's integrator is in LabEuler.cs.
     /// </summary>
     [DisallowMultipleComponent]
     [DefaultExecutionOrder(100)] // it steps when all other scripts have pushed
@@ -69,23 +69,23 @@ namespace RigidBodyDynamics.Scripts
         private float _stepLength;
         private bool _isChanged, _isRefused;
 
-        // where the object was put, to see whether somebody else has put it elsewhere
+        // the last pose that was shown, to find whether another script has moved the object
         private Vector3 _shownPosition;
         private Quaternion _shownRotation;
 
-        // time and state, which Unity keeps where it loads changed scripts while playing; it keeps no simulation
+        // time and state, which Unity keeps where it loads changed scripts while playing; it does not keep the simulation
         private double[] _kept;
 
-        /// <summary>What the body is and what acts on it, as the library was told.</summary>
+        /// <summary>The body and its effects, as the library got them.</summary>
         public BodyDescription Description { get; private set; }
 
         /// <summary>The body in motion.</summary>
         public Body Body => _simulation.Bodies[0];
 
-        /// <summary>Where it is and how it moves, in double.</summary>
+        /// <summary>Its state, in double.</summary>
         public BodyState State => Body.State;
 
-        /// <summary>False where the settings make no body; the console says why.</summary>
+        /// <summary>False where the settings are not those of a possible body; the console says why.</summary>
         public bool IsReady => _simulation != null;
 
         /// <summary>Length of the steps, s.</summary>
@@ -125,25 +125,25 @@ namespace RigidBodyDynamics.Scripts
         /// <summary>One step: keys in, pose out.</summary>
         public void Step()
         {
-            // what was changed in the inspector holds from here on; the body goes on from where it is
+            // a change in the inspector is valid from here on; the body continues from its state
             if (_isChanged || Time.fixedDeltaTime != _stepLength)
                 Build(goesOn: IsReady);
 
-            // settings that make no body move nothing; the console has said why
+            // without a possible body nothing moves; the console has said why
             if (!IsReady)
                 return;
 
-            // who drags the object in the editor, or sets its transform, moves the body
+            // moving the object in the editor, or by its transform, moves the body
             Follow();
 
-            // 1. the keys: the library gives 5 N to every arrow that is held, and (sin t, sin t, sin t) N m to R
+            // 1. the keys: the library adds 5 N for every arrow that is held, and (sin t, sin t, sin t) N m for R
             for (LabKey key = LabKey.LeftArrow; key <= LabKey.R; key++)
                 _keyboard[key] = readsKeys && LabInput.IsHeld(key);
 
-            // 2. the step: velocity, angular velocity, position, orientation, damping; by the lab's rule in LabEuler.cs
+            // 2. the step: velocity, angular velocity, position, orientation, damping; for the lab's integrator in LabEuler.cs
             TakeStep();
 
-            // 3. the object: to where the body now is
+            // 3. the object: to the body's new pose
             Show();
         }
 
@@ -155,7 +155,7 @@ namespace RigidBodyDynamics.Scripts
             Show();
         }
 
-        /// <summary>What its motion consists of, what was left out and why: made of the plan that runs.</summary>
+        /// <summary>The parts of its motion, what was left out and why: made from the plan that runs.</summary>
         public string Explain() => IsReady ? new Explanation(Body).ToString() : string.Empty;
 
         /// <summary>Pose and velocity of the start.</summary>
@@ -175,7 +175,7 @@ namespace RigidBodyDynamics.Scripts
                     _simulation = new Simulation(TimeSteps.Every(StepLength), next);
 
                 Description = next;
-                // what was refused before and is mended moves again; what somebody else switched off stays off
+                // a corrected body moves again; a component that another script has disabled stays disabled
                 enabled |= _isRefused;
                 _isRefused = false;
             }
@@ -187,7 +187,7 @@ namespace RigidBodyDynamics.Scripts
 
         private void StepOn()
         {
-            // the length of fixed steps may be changed while the game plays; time goes on from where it is
+            // the length of fixed steps may be changed while the game plays; time continues
             if (StepLength == _simulation.Scene.Steps.Length(0))
                 _simulation.Step();
             else
@@ -222,7 +222,7 @@ namespace RigidBodyDynamics.Scripts
 
         private void Show()
         {
-            // the library counts in double, a transform holds float; what is rounded here is not read back
+            // the library computes in double, a transform holds float; the rounded pose is not read back
             if (!IsReady)
                 return;
 
@@ -238,7 +238,7 @@ namespace RigidBodyDynamics.Scripts
 
         private void Follow()
         {
-            // to the bit: what Unity calls equal differs by a hundredth of a millimetre
+            // compared to the bit: Unity's == ignores a hundredth of a millimetre
             if (transform.position.Equals(_shownPosition) && transform.rotation.Equals(_shownRotation))
                 return;
 
@@ -248,7 +248,7 @@ namespace RigidBodyDynamics.Scripts
             Body.State = here;
         }
 
-        // the scripts were loaded anew: the body goes on from where it was, and so does t
+        // the scripts were reloaded: the body continues from its state, and so does t
         private void TakeUp()
         {
             double time = _kept[0];
@@ -277,16 +277,16 @@ namespace RigidBodyDynamics.Scripts
         };
     }
 
-    /// <summary>How a body's motion dies away.</summary>
+    /// <summary>How velocities are damped.</summary>
     public enum DampingKind
     {
-        /// <summary>Times a factor in every step: the lab's.</summary>
+        /// <summary>A factor in every step, as in the lab.</summary>
         FactorPerStep,
 
-        /// <summary>exp(−c Δt): the same motion whatever the step.</summary>
+        /// <summary>exp(−c Δt): the same motion for any step length.</summary>
         Rate,
 
-        /// <summary>Not at all.</summary>
+        /// <summary>No damping.</summary>
         None,
     }
 }

@@ -6,7 +6,7 @@ using UnityEngine;
 
 namespace RigidBodyDynamics.Scripts
 {
-    /// <summary>The panel over the scene: what the bodies do, what their rules cost and are worth, and the switches.</summary>
+    /// <summary>The panel over the scene: the states of the bodies, cost and error of their integrators, and the switches.</summary>
     [RequireComponent(typeof(Experiment))]
     [AddComponentMenu("MyRigidbody/Panel")]
     public sealed class Panel : MonoBehaviour
@@ -28,7 +28,7 @@ namespace RigidBodyDynamics.Scripts
 
         private void Update()
         {
-            // bodies come and go, and where scripts are loaded anew all yardsticks are gone
+            // bodies are added and removed, and after scripts are reloaded all yardsticks are gone
             IReadOnlyList<MyRigidbody> mine = _experiment.Mine;
             _yardsticks.RemoveAll(yardstick => !mine.Contains(yardstick.Body));
             foreach (MyRigidbody body in mine.Where(body => !_yardsticks.Exists(yardstick => yardstick.Body == body)))
@@ -59,7 +59,7 @@ namespace RigidBodyDynamics.Scripts
             GUILayout.EndArea();
         }
 
-        // in a small Game view the panel would cover the bodies: folded, it leaves them the view
+        // in a small Game view the panel would cover the bodies, so it is folded
         private void Head()
         {
             GUILayout.BeginHorizontal();
@@ -113,7 +113,7 @@ namespace RigidBodyDynamics.Scripts
 
         private static void Name(Camera eye, Component body, float scale)
         {
-            // y is up on the screen and down in the GUI; what is behind the camera has no place on either
+            // y is up on the screen and down in the GUI; a point behind the camera has no place on either
             Vector3 at = eye.WorldToScreenPoint(body.transform.position);
             if (at.z > 0)
                 GUI.Label(new Rect(at.x / scale - 0.5f * TagWidth, (Screen.height - at.y) / scale + TagBelow, TagWidth, TagHeight), body.name);
@@ -126,7 +126,7 @@ namespace RigidBodyDynamics.Scripts
             {
                 GUI.color = LabInput.IsHeld(key) ? Color.yellow : Color.white;
                 bool isHeld = GUILayout.RepeatButton(KeyNames[(int)key]);
-                // only while it is painted does a repeat button say whether it is held
+                // a repeat button says whether it is held only while it is painted
                 if (Event.current.type == EventType.Repaint)
                     LabInput.HoldOnScreen(key, isHeld);
             }

@@ -7,15 +7,15 @@ using UnityEngine;
 namespace RigidBodyDynamics.Scripts
 {
     /// <summary>
-    /// The motion of a body, step by step: NAME.json has all that went in, NAME.csv all that came out. Of a Rigidbody the schema is
-    /// free-rigid-body/1, and the command line's <c>compare NAME.json</c> says how far its UnityRigidbody is from it; of a student's
-    /// script it is lab-script/1, and <c>compare</c> says how far the lab's own rule is from it.
+    /// The motion of a body, step by step: NAME.json has the input, NAME.csv the output. For a Rigidbody the schema is
+    /// free-rigid-body/1, and the command line's <c>compare NAME.json</c> prints the difference of its UnityRigidbody from it; for a student's
+    /// script it is lab-script/1, and <c>compare</c> prints the difference of LabEuler from it.
     /// </summary>
     public sealed class Recording
     {
         private const string Header = "step,t,px,py,pz,qx,qy,qz,qw,vx,vy,vz,wx,wy,wz,wakeCounter,asleep";
 
-        // what PhysX gives a body that has just been set in motion, s; a script cannot ask for it
+        // the wake counter of a body that PhysX has just set in motion, s; a script cannot read it
         private const float WakeCounter = 0.4f;
 
         private readonly string _name;
@@ -40,17 +40,17 @@ namespace RigidBodyDynamics.Scripts
             Describe(body);
         }
 
-        /// <summary>How many steps are in it.</summary>
+        /// <summary>The number of steps.</summary>
         public int Steps => _forces.Count;
 
-        /// <summary>A push that acts in the step to come; several add up, as they do in the engine.</summary>
+        /// <summary>Adds force and torque for the next step; several add up, as in the engine.</summary>
         internal void Push(Vector3 force, Vector3 torque)
         {
             _force += force;
             _torque += torque;
         }
 
-        /// <summary>The state before a step; what was pushed since the last one acts in this one.</summary>
+        /// <summary>Adds the state before a step; forces added since the last one act in this one.</summary>
         internal void Step(BodyState state, bool isAsleep)
         {
             Row(state, isAsleep);
@@ -59,10 +59,10 @@ namespace RigidBodyDynamics.Scripts
             _force = _torque = Vector3.zero;
         }
 
-        /// <summary>The state after the last step.</summary>
+        /// <summary>Adds the state after the last step.</summary>
         internal void End(BodyState state, bool isAsleep) => Row(state, isAsleep);
 
-        /// <summary>Writes both files and gives the path of the JSON.</summary>
+        /// <summary>Writes both files and returns the path of the JSON.</summary>
         public string Write(string folder)
         {
             Directory.CreateDirectory(folder);
@@ -122,7 +122,7 @@ namespace RigidBodyDynamics.Scripts
             return Quoted(axes.ToString());
         }
 
-        // the sheet's mass and damping: nobody but the script itself knows what it counts with
+        // the sheet's mass and damping, because those of the script are unknown
         private void Describe(StudentBody body)
         {
             Quaternion q = body.Transform.rotation;
@@ -183,7 +183,7 @@ namespace RigidBodyDynamics.Scripts
 
         private static string Numbers(Vector3d v) => Number(v.X) + "," + Number(v.Y) + "," + Number(v.Z);
 
-        // nine digits bring every float back to the bit
+        // with nine digits every float is read back to the bit
         private static string Number(double number) => ((float)number).ToString("g9", CultureInfo.InvariantCulture);
     }
 }

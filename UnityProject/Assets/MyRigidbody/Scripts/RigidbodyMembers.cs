@@ -2,19 +2,19 @@ using UnityEngine;
 
 namespace RigidBodyDynamics.Scripts
 {
-    // what scripts expect of a Rigidbody, in Unity's names and with Unity's meaning where nothing else is said
+    // members of a Rigidbody, with Unity's names and, unless stated otherwise, Unity's meaning
     public sealed partial class MyRigidbody
     {
         private bool _isAsleep;
 
-        /// <summary>Velocity of the centre of mass, m/s, world axes. To be set at any time.</summary>
+        /// <summary>Velocity of the centre of mass, m/s, world axes. Can be set at any time.</summary>
         public Vector3 velocity
         {
             get => State.Velocity.Float();
             set => Set((ref BodyState state) => state.Velocity = value.Double());
         }
 
-        /// <summary>The same, as Unity 6 calls it.</summary>
+        /// <summary>The same, by its name in Unity 6.</summary>
         public Vector3 linearVelocity { get => velocity; set => velocity = value; }
 
         /// <summary>Angular velocity, rad/s, world axes. No limit of 7 rad/s.</summary>
@@ -24,14 +24,14 @@ namespace RigidBodyDynamics.Scripts
             set => Set((ref BodyState state) => state.AngularVelocity = value.Double());
         }
 
-        /// <summary>Where the body is, m; the object is drawn elsewhere between two steps if it is interpolated.</summary>
+        /// <summary>Position of the body, m; between two steps an interpolated object is drawn elsewhere.</summary>
         public Vector3 position
         {
             get => State.Position.Float();
             set => MovePosition(value);
         }
 
-        /// <summary>How the body is turned; the object is drawn otherwise between two steps if it is interpolated.</summary>
+        /// <summary>Orientation of the body; between two steps an interpolated object is drawn in another one.</summary>
         public Quaternion rotation
         {
             get => State.Orientation.Float();
@@ -46,7 +46,7 @@ namespace RigidBodyDynamics.Scripts
         private delegate void Change(ref BodyState state);
 
         /// <summary>
-        /// Pushes at the centre of mass. Force (N) and Acceleration (m/s²) act during the next step, Impulse (N s) and VelocityChange (m/s) at once.
+        /// Applies a force at the centre of mass. Force (N) and Acceleration (m/s²) act during the next step, Impulse (N s) and VelocityChange (m/s) at once.
         /// </summary>
         public void AddForce(Vector3 force, ForceMode mode = ForceMode.Force)
         {
@@ -57,7 +57,7 @@ namespace RigidBodyDynamics.Scripts
                 Body.ApplyForce(Weight(mode) * force.Double());
         }
 
-        /// <summary>Pushes at a point of the world. Force and torque stay as they are now for the whole step.</summary>
+        /// <summary>Applies a force at a point of the world. Force and torque stay constant for the whole step.</summary>
         public void AddForceAtPosition(Vector3 force, Vector3 position, ForceMode mode = ForceMode.Force)
         {
             WakeUp();
@@ -67,11 +67,11 @@ namespace RigidBodyDynamics.Scripts
                 Body.ApplyForce(Weight(mode) * force.Double(), position.Double());
         }
 
-        /// <summary>Pushes along the object's own axes, as they are now.</summary>
+        /// <summary>Applies a force along the object's own axes, as they are now.</summary>
         public void AddRelativeForce(Vector3 force, ForceMode mode = ForceMode.Force) => AddForce(InWorld(force), mode);
 
         /// <summary>
-        /// Turns. Force (N m) and Acceleration (rad/s²) act during the next step, Impulse (N m s) and VelocityChange (rad/s) at once.
+        /// Applies a torque. Force (N m) and Acceleration (rad/s²) act during the next step, Impulse (N m s) and VelocityChange (rad/s) at once.
         /// </summary>
         public void AddTorque(Vector3 torque, ForceMode mode = ForceMode.Force)
         {
@@ -83,10 +83,10 @@ namespace RigidBodyDynamics.Scripts
                 Body.ApplyTorque(applied);
         }
 
-        /// <summary>Turns about the object's own axes, as they are now.</summary>
+        /// <summary>Applies a torque about the object's own axes, as they are now.</summary>
         public void AddRelativeTorque(Vector3 torque, ForceMode mode = ForceMode.Force) => AddTorque(InWorld(torque), mode);
 
-        /// <summary>Puts the body elsewhere at once, with its velocity; what is in between is not touched.</summary>
+        /// <summary>Moves the body at once, with its velocity; there are no contacts on the way.</summary>
         public void MovePosition(Vector3 position)
         {
             BodyState state = State;
@@ -95,7 +95,7 @@ namespace RigidBodyDynamics.Scripts
             Show();
         }
 
-        /// <summary>Turns the body at once, with its angular velocity.</summary>
+        /// <summary>Rotates the body at once, with its angular velocity.</summary>
         public void MoveRotation(Quaternion rot)
         {
             BodyState state = State;
@@ -108,14 +108,14 @@ namespace RigidBodyDynamics.Scripts
         public Vector3 GetPointVelocity(Vector3 worldPoint) =>
             (State.Velocity + Vector3d.Cross(State.AngularVelocity, worldPoint.Double() - Center)).Float();
 
-        /// <summary>Stands still, and feels nothing until it is woken: by WakeUp, a key, a push or a velocity.</summary>
+        /// <summary>Stops the body, and ignores all effects until it is woken: by WakeUp, a key, a force or a velocity.</summary>
         public void Sleep()
         {
             _isAsleep = true;
             Stand();
         }
 
-        /// <summary>Feels again what acts on it.</summary>
+        /// <summary>Effects act again.</summary>
         public void WakeUp() => _isAsleep = false;
 
         /// <summary>True from Sleep on until it is woken. Nothing else puts it to sleep.</summary>
@@ -132,13 +132,13 @@ namespace RigidBodyDynamics.Scripts
                 return;
             }
 
-            // time goes on for who sleeps, too
+            // time passes for a sleeping body, too
             BodyState before = State;
             StepOn();
             Body.State = before;
         }
 
-        // every frame: the pose between the last two steps, as far as the frame is past the last of them
+        // in every frame: the interpolated pose between the last two steps
         private void Update()
         {
             if (interpolation == RigidbodyInterpolation.None || !IsReady)
@@ -181,7 +181,7 @@ namespace RigidBodyDynamics.Scripts
         // Unity's numbers are twice the library's
         private Locks Locked => (Locks)((int)constraints / 2);
 
-        // a frozen body loses what it has along the axes that are frozen: those of the world for moving, its own for turning
+        // removes velocities along locked axes: those of the world for translation, the body's own for rotation
         private BodyState Held(BodyState state, MassProperties mass)
         {
             Quaterniond axes = (state.Orientation * mass.PrincipalFrame).Normalized;
@@ -192,7 +192,7 @@ namespace RigidBodyDynamics.Scripts
             return state;
         }
 
-        // 1 for an axis that is free; Unity counts x, y, z in powers of two, from the first
+        // 1 for a free axis; Unity's constraints are powers of two for x, y, z, from the first
         private Vector3d Free(RigidbodyConstraints first) => new Vector3d(IsFree(first, 0), IsFree(first, 1), IsFree(first, 2));
 
         private int IsFree(RigidbodyConstraints first, int axis) => ((int)constraints & ((int)first << axis)) == 0 ? 1 : 0;

@@ -4,8 +4,8 @@ using UnityEngine;
 namespace RigidBodyDynamics.Scripts
 {
     /// <summary>
-    /// An object that a student's own script moves: a component called MyRigidbody in no namespace. Nothing is known of it but
-    /// the pose that it leaves behind in every frame, as the lab's sheet steps in Update; velocity and spin are differences of the pose.
+    /// An object that a student's own script moves: a component called MyRigidbody in no namespace. Only its pose after every frame is
+    /// known, as the lab's sheet steps in Update; velocity and angular velocity are differences of the pose.
     /// </summary>
     public sealed class StudentBody
     {
@@ -26,7 +26,7 @@ namespace RigidBodyDynamics.Scripts
             _script = script;
             _object = script.gameObject;
             _type = script.GetType();
-            // what the inspector has set; a component that is added has its defaults
+            // the values of the inspector; an added component has its defaults
             _settings = JsonUtility.ToJson(script);
             _startPosition = _object.transform.position;
             _startRotation = _object.transform.rotation;
@@ -42,10 +42,10 @@ namespace RigidBodyDynamics.Scripts
         /// <summary>False once the object or its script has been destroyed.</summary>
         public bool IsThere => _script != null;
 
-        /// <summary>Its pose after the last frame; velocity and angular velocity are what the pose changed by in it, over the frame's time.</summary>
+        /// <summary>Its pose after the last frame; velocity and angular velocity are the change of the pose over the frame's time.</summary>
         public BodyState State { get; private set; }
 
-        /// <summary>Frames since the start: steps of a script that steps in Update.</summary>
+        /// <summary>Frames since the start: the steps of a script that steps in Update.</summary>
         public int Frames { get; private set; }
 
         /// <summary>The first body of ours with the same box; null if there is none.</summary>
@@ -57,26 +57,26 @@ namespace RigidBodyDynamics.Scripts
         /// <summary>The motion being recorded; null if none is.</summary>
         public Recording Recording { get; private set; }
 
-        /// <summary>Edges of its box, m, as it is in the scene.</summary>
+        /// <summary>Edges of its box, m, in the scene.</summary>
         internal Vector3 Size => SizeOf(_object.transform);
 
         private BodyState AtStart => new BodyState(_startPosition.Double(), _startRotation.Double(), Vector3d.Zero, Vector3d.Zero);
 
-        /// <summary>Whether a script is a student's.</summary>
+        /// <summary>True for a script of a student.</summary>
         public static bool Is(MonoBehaviour script) =>
             script != null && script.GetType().Name == "MyRigidbody" && string.IsNullOrEmpty(script.GetType().Namespace);
 
-        /// <summary>Distance between how far this and another body have moved since their starts, m.</summary>
+        /// <summary>Distance between the displacements of this and another body since their starts, m.</summary>
         public double DistanceTo(BodyState start, BodyState now) =>
             (State.Position - AtStart.Position - (now.Position - start.Position)).Length;
 
-        /// <summary>Angle between how far this and another body have turned since their starts, rad.</summary>
+        /// <summary>Angle between the rotations of this and another body since their starts, rad.</summary>
         public double AngleTo(BodyState start, BodyState now) =>
             Conserved.AngleBetween(State.Orientation * AtStart.Orientation.Conjugate, now.Orientation * start.Orientation.Conjugate);
 
         /// <summary>
-        /// Back to the start: the pose, and a new script with the values that the inspector had. What the script has done to other
-        /// objects stays, and who held the old script holds none.
+        /// Back to the start: the pose, and a new script with the values of the inspector. Changes of other objects by the script stay, and
+        /// references to the old script become invalid.
         /// </summary>
         public void StartAgain()
         {
@@ -87,7 +87,7 @@ namespace RigidBodyDynamics.Scripts
                 return;
 
             bool isActive = _object.activeSelf, isEnabled = _script.enabled || _isHeld;
-            // Awake is to find the values, so it has to wait for them
+            // the values must be set before Awake, so the object is inactive until then
             _object.SetActive(false);
             UnityEngine.Object.DestroyImmediate(_script);
             _script = (MonoBehaviour)_object.AddComponent(_type);
@@ -99,14 +99,14 @@ namespace RigidBodyDynamics.Scripts
             _isStepping = false;
         }
 
-        /// <summary>Starts again and records from there, under a name that a file may have.</summary>
+        /// <summary>Starts again and records from there, under a file name.</summary>
         public void Record(string fileName)
         {
             StartAgain();
             Recording = new Recording(fileName, this, Time.fixedDeltaTime);
         }
 
-        /// <summary>Ends the recording with the pose as it now is, and hands it over.</summary>
+        /// <summary>Ends the recording with the present pose, and returns it.</summary>
         public Recording EndRecording()
         {
             Recording ended = Recording;
@@ -117,7 +117,7 @@ namespace RigidBodyDynamics.Scripts
             return ended;
         }
 
-        /// <summary>Keeps the script from moving, or lets it go: Update is called while the game's time stands still, too.</summary>
+        /// <summary>Stops or resumes the script: Update is called while the game is paused, too.</summary>
         internal void Hold(bool isHeld)
         {
             if (!IsThere || isHeld == _isHeld || (isHeld && !_script.enabled))
@@ -128,7 +128,7 @@ namespace RigidBodyDynamics.Scripts
             _script.enabled = !isHeld;
         }
 
-        /// <summary>Lets a script that is held have the next frame.</summary>
+        /// <summary>Lets a stopped script have the next frame.</summary>
         internal void StepOnce()
         {
             if (!IsThere || !_isHeld)
@@ -138,10 +138,10 @@ namespace RigidBodyDynamics.Scripts
             _script.enabled = true;
         }
 
-        /// <summary>To be called when every script has had its Update.</summary>
+        /// <summary>Called after every script has had its Update.</summary>
         internal void Look()
         {
-            // a script that has just been added has its first Update in the next frame
+            // a script just added has its first Update in the next frame
             if (!IsThere || !_script.isActiveAndEnabled || Time.frameCount == _startFrame)
                 return;
 
@@ -169,7 +169,7 @@ namespace RigidBodyDynamics.Scripts
             return filter == null || filter.sharedMesh == null ? scale : Vector3.Scale(filter.sharedMesh.bounds.size, scale);
         }
 
-        // a student's script asks the keyboard alone; it does not know of the buttons on the screen
+        // a student's script reads only the keyboard, not the buttons on the screen
         private static Vector3 Force() => Push * new Vector3(
             Held(LabKey.RightArrow) - Held(LabKey.LeftArrow), Held(LabKey.UpArrow) - Held(LabKey.DownArrow), 0);
 
@@ -179,7 +179,7 @@ namespace RigidBodyDynamics.Scripts
         {
             Vector3d position = Transform.position.Double();
             Quaterniond orientation = Transform.rotation.Double(), turn = orientation * before.Orientation.Conjugate;
-            // the shorter way round; the turn is 2 atan(|v| / w) about v
+            // the shorter rotation: 2 atan(|v| / w) about v
             double sine = turn.Vector.Length, angle = 2 * Math.Atan2(sine, Math.Abs(turn.W));
             double rate = sine > 0 ? (turn.W < 0 ? -angle : angle) / (sine * time) : 0;
             return new BodyState(position, orientation, 1 / time * (position - before.Position), rate * turn.Vector);

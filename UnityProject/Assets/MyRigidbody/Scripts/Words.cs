@@ -2,12 +2,12 @@ using UnityEngine;
 
 namespace RigidBodyDynamics.Scripts
 {
-    /// <summary>What the panel says, in one language at a time: that of the system at first, then as the button says.</summary>
+    /// <summary>The panel's texts, in one language at a time: the system's at first, then as the button says.</summary>
     internal static class Words
     {
         private static bool? _isChinese;
 
-        /// <summary>True where it is said in Chinese.</summary>
+        /// <summary>True if the language is Chinese.</summary>
         public static bool AreChinese
         {
             get

@@ -4,12 +4,11 @@ using System.Diagnostics;
 namespace RigidBodyDynamics.Scripts
 {
     /// <summary>
-    /// What a body's rule costs and what it is worth: the time of a step, and how far the body is from where it would be
-    /// had the rule made no error.
+    /// Measures cost and error of a body's integrator: the time of a step, and the difference between the body and the exact motion.
     /// </summary>
     internal sealed class Yardstick
     {
-        // Exact6 in a quarter of the step: its own error is below what a float can show
+        // Exact6 with a quarter of the step: its own error is below the resolution of a float
         private const int Parts = 4;
         private const int Timed = 200;
 
@@ -19,10 +18,10 @@ namespace RigidBodyDynamics.Scripts
 
         public Yardstick(MyRigidbody body) => _body = body;
 
-        /// <summary>The body whose rule is measured.</summary>
+        /// <summary>The measured body.</summary>
         public MyRigidbody Body => _body;
 
-        /// <summary>Time of one step of the library, ns; the least of all measurements, as everything else only adds to it.</summary>
+        /// <summary>Time of one step of the library, ns; the shortest of all measurements, because disturbances only add time.</summary>
         public double NanosecondsPerStep { get; private set; }
 
         /// <summary>Angle to the exact motion, rad.</summary>
@@ -31,7 +30,7 @@ namespace RigidBodyDynamics.Scripts
         /// <summary>Distance to the exact motion, m.</summary>
         public double DistanceError { get; private set; }
 
-        /// <summary>To be called after every step of the body.</summary>
+        /// <summary>Called after every step of the body.</summary>
         public void Follow()
         {
             if (!_body.IsReady)
@@ -56,7 +55,7 @@ namespace RigidBodyDynamics.Scripts
             DistanceError = (exact.Position - found.Position).Length;
         }
 
-        /// <summary>Takes the time of some steps and goes back to where the body was.</summary>
+        /// <summary>Times some steps and restores the state of the body.</summary>
         public void TakeTime()
         {
             if (!_body.IsReady)
@@ -67,7 +66,7 @@ namespace RigidBodyDynamics.Scripts
             Stopwatch clock = Stopwatch.StartNew();
             for (int step = 0; step < Timed; step++)
             {
-                // a body that coasts is not computed before somebody looks
+                // a body that coasts is computed when its state is read
                 simulation.Step();
                 _ = simulation.Bodies[0].State;
             }
@@ -84,7 +83,7 @@ namespace RigidBodyDynamics.Scripts
             _exact = new Simulation(TimeSteps.Every(_body.StepLength / Parts), Exact());
         }
 
-        /// <summary>The body was changed: both are in the same state from here on.</summary>
+        /// <summary>Called when the body was changed: both continue from the same state.</summary>
         private void GoOn()
         {
             BodyDescription exact = Exact();
@@ -100,7 +99,7 @@ namespace RigidBodyDynamics.Scripts
             exact.Rule = Rules.Exact6;
             if (_body.damping == DampingKind.FactorPerStep)
             {
-                // the factor as a rate: what the lab's rule tends to as its step shrinks
+                // the factor as a rate: the limit of the lab's integrator for short steps
                 double step = _body.StepLength;
                 exact.With(new LinearDamping(Rate(_body.linearDecay, step))).With(new AngularDamping(Rate(_body.angularDecay, step)));
             }

@@ -6,7 +6,7 @@ using UnityEngine;
 
 namespace RigidBodyDynamics.Starter
 {
-    /// <summary>Five lamps: which of the sheet's steps is off, and by how much; not how to mend it.</summary>
+    /// <summary>Five lamps: which of the sheet's steps is wrong, and by how much; not how to correct it.</summary>
     public sealed class CheckWindow : EditorWindow
     {
         private MonoScript _script;
@@ -14,7 +14,7 @@ namespace RigidBodyDynamics.Starter
         private string _message = string.Empty, _number = string.Empty, _name = string.Empty;
         private Vector2 _scrolled;
 
-        /// <summary>The verdict that is shown; null if there is none.</summary>
+        /// <summary>The displayed verdict; null if there is none.</summary>
         internal Verdict Verdict => _verdict;
 
         [MenuItem("MyRigidbody/检查五个步骤 Check my five steps")]
@@ -26,7 +26,7 @@ namespace RigidBodyDynamics.Starter
         public void OnGUI()
         {
             _script = (MonoScript)EditorGUILayout.ObjectField("脚本 script", _script, typeof(MonoScript), false);
-            // after the event: what is drawn may not change within one
+            // after the event: the layout may not change within one
             if (GUILayout.Button("检查五个步骤 Check my five steps"))
                 EditorApplication.delayCall += Check;
 
@@ -56,7 +56,7 @@ namespace RigidBodyDynamics.Starter
 
         private void Judge(System.Reflection.Assembly assembly, Type script)
         {
-            // what the script prints a thousand times over helps nobody here
+            // the script's own output is not shown here
             bool logs = Debug.unityLogger.logEnabled;
             Debug.unityLogger.logEnabled = false;
             try

@@ -6,7 +6,7 @@ using UnityEngine;
 
 namespace RigidBodyDynamics.Starter
 {
-    /// <summary>A script on a hidden object of the editor, as the judge drives it. Its messages are called by hand, with keys and a clock of our own.</summary>
+    /// <summary>A script on a hidden object of the editor, driven by the judge. Its messages are called directly, with keys and a clock of our own.</summary>
     internal sealed class EditorLaboratory : ILaboratory, IDisposable
     {
         private const BindingFlags Members = BindingFlags.Instance | BindingFlags.Static | BindingFlags.Public | BindingFlags.NonPublic;
@@ -100,7 +100,7 @@ namespace RigidBodyDynamics.Starter
                 Set(_time, name, (float)delta);
         }
 
-        // private messages of a base class are the engine's business too
+        // the engine also calls private messages of a base class
         private void Send(string message)
         {
             for (Type type = _script; type != null && type != typeof(MonoBehaviour); type = type.BaseType)

@@ -5,12 +5,12 @@ using UnityEditor;
 
 namespace RigidBodyDynamics.Starter
 {
-    /// <summary>The assets of the starter: which script is the student's, and what goes into the package that is handed in.</summary>
+    /// <summary>The assets of the starter: which script is the student's, and the contents of the package for submission.</summary>
     internal static class Handout
     {
         private const string Top = "Assets/MyRigidbodyStarter";
 
-        /// <summary>The student's script: a MyRigidbody without a namespace, wherever he has put it; null if there is none.</summary>
+        /// <summary>The student's script: a MyRigidbody without a namespace, in any folder; null if there is none.</summary>
         public static MonoScript Script()
         {
             string[] found = AssetDatabase.FindAssets("MyRigidbody t:MonoScript").Select(AssetDatabase.GUIDToAssetPath)
@@ -19,7 +19,7 @@ namespace RigidBodyDynamics.Starter
                 .FirstOrDefault(script => script != null && (script.GetClass() == null || script.GetClass().Namespace == null));
         }
 
-        /// <summary>学号_姓名.unitypackage, or null where one of the two is missing or holds what no file name may hold.</summary>
+        /// <summary>学号_姓名.unitypackage, or null where one of the two is missing or has a character that is invalid in file names.</summary>
         public static string PackageName(string number, string name)
         {
             number = (number ?? string.Empty).Trim();
@@ -28,13 +28,13 @@ namespace RigidBodyDynamics.Starter
             return isSound ? number + "_" + name + ".unitypackage" : null;
         }
 
-        /// <summary>Writes the package into the folder of the project; the window of checks is not part of it.</summary>
+        /// <summary>Writes the package into the folder of the project; the check window is not part of it.</summary>
         public static void Export(MonoScript script, string file)
         {
             string[] assets = AssetDatabase.FindAssets(string.Empty, new[] { Top }).Select(AssetDatabase.GUIDToAssetPath)
                 .Concat(new[] { AssetDatabase.GetAssetPath(script) })
                 .Where(path => !path.Contains("/Editor") && Path.GetExtension(path).Length > 0 && !path.EndsWith(".md", StringComparison.Ordinal)).Distinct().ToArray();
-#pragma warning disable CS0618 // obsolete since Unity 6000.6; what takes its place is in no version before
+#pragma warning disable CS0618 // obsolete since Unity 6000.6; earlier versions have no replacement
             AssetDatabase.ExportPackage(assets, file, ExportPackageOptions.Default);
 #pragma warning restore CS0618
             EditorUtility.RevealInFinder(file);

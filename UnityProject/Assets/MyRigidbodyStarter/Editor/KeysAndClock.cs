@@ -2,7 +2,7 @@ namespace RigidBodyDynamics.Starter
 {
     /// <summary>
     /// The source of two classes without a namespace, Input and Time, which a script that is compiled together with them finds before the
-    /// engine's: so keys can be held and a clock can be set while nobody plays.
+    /// engine's: so keys and clock can be set while the game is not playing.
     /// </summary>
     internal static class KeysAndClock
     {

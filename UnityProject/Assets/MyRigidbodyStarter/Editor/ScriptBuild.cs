@@ -13,19 +13,19 @@ namespace RigidBodyDynamics.Starter
     {
         private const string Folder = "Temp/MyRigidbodyCheck", Own = "Library/ScriptAssemblies/Assembly-CSharp.dll";
 
-        /// <summary>Compiles; the editor goes on meanwhile, and calls one of the two when it has ended.</summary>
+        /// <summary>Compiles in the background, and calls one of the two functions at the end.</summary>
         /// <param name="script">The path of the script in the project.</param>
-        /// <param name="built">The assembly, and the class that is to be judged.</param>
-        /// <param name="failed">What the compiler says, one line each.</param>
+        /// <param name="built">Gets the assembly, and the class to judge.</param>
+        /// <param name="failed">Gets the compiler's messages, one line each.</param>
         public static void Begin(string script, Action<Assembly, Type> built, Action<string> failed)
         {
             Directory.CreateDirectory(Folder);
             string name = Folder + "/Check" + Guid.NewGuid().ToString("N"), keys = Folder + "/KeysAndClock.cs";
             File.WriteAllText(keys, KeysAndClock.Source);
-#pragma warning disable CS0618 // obsolete since Unity 2023.1, and nothing else of the editor's compiles beside the project
+#pragma warning disable CS0618 // obsolete since Unity 2023.1, and no other member of the editor compiles beside the project
             AssemblyBuilder builder = new AssemblyBuilder(name + ".dll", script, keys);
 #pragma warning restore CS0618
-            // other scripts of the student; of two classes with one name the one in the source is taken
+            // other scripts of the student; of two classes with one name the compiler uses the one in the source
             if (File.Exists(Own))
                 builder.additionalReferences = new[] { Own };
 
@@ -44,7 +44,7 @@ namespace RigidBodyDynamics.Starter
                 return;
             }
 
-            // from its bytes, so that the file is not kept open
+            // loaded from bytes, so that the file is not locked
             Assembly assembly = Assembly.Load(File.ReadAllBytes(path));
             Type type = assembly.GetType(Path.GetFileNameWithoutExtension(script))
                 ?? assembly.GetTypes().FirstOrDefault(found => typeof(MonoBehaviour).IsAssignableFrom(found));

@@ -5,7 +5,7 @@ using UnityEngine;
 
 namespace RigidBodyDynamics.Scripts.Tests.Edit
 {
-    /// <summary>What the scripts are before the game plays.</summary>
+    /// <summary>The scripts before the game plays.</summary>
     public sealed class ScriptTests
     {
         private GameObject _cube;

@@ -3,7 +3,7 @@ using UnityEngine;
 
 namespace RigidBodyDynamics.Scripts.Tests.Edit
 {
-    /// <summary>The border between double and float.</summary>
+    /// <summary>Conversions between double and float.</summary>
     public sealed class ToUnityTests
     {
         [TestCase(0.02f, 0.02)]

@@ -6,10 +6,10 @@ using UnityEngine.TestTools;
 
 namespace RigidBodyDynamics.Scripts.Tests.Play
 {
-    /// <summary>The engine's body moves as the library says that it does.</summary>
+    /// <summary>The engine's body moves as the library predicts.</summary>
     public sealed class DefaultRigidbodyTests : PlayTest
     {
-        // m, and 1 for each number of the orientation, and both per s. The rule is the engine's to the bit, but what goes in is
+        // m, and 1 for each number of the orientation, and both per s. The integrator is the engine's to the bit, but its input is
         // not: the engine computes the box's inertia and the torque's sine in float, and a script cannot see when it sleeps
         private const double Bound = 1e-3; // measured without the engine, where the inertia alone is rounded: below 1e-6
 

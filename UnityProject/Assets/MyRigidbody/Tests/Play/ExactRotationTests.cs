@@ -5,7 +5,7 @@ using UnityEngine.TestTools;
 
 namespace RigidBodyDynamics.Scripts.Tests.Play
 {
-    /// <summary>A Rigidbody with ExactRotation turns as the library says, whatever engine moves it.</summary>
+    /// <summary>A Rigidbody with ExactRotation rotates as the library predicts, in any engine.</summary>
     public sealed class ExactRotationTests : PlayTest
     {
         [UnityTest]

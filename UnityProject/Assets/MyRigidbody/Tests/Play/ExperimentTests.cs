@@ -47,7 +47,7 @@ namespace RigidBodyDynamics.Scripts.Tests.Play
             experiment.StepOnce();
             yield return null;
 
-            // v ← v + Δt 5 N / 1 kg, then x ← x + Δt v, by both rules
+            // v ← v + Δt 5 N / 1 kg, then x ← x + Δt v, by both integrators
             double speed = 5 * StepLength, place = 3 * speed * StepLength;
             Assert.That(experiment.Steps, Is.EqualTo(2));
             Assert.That(experiment.Seconds, Is.EqualTo(2 * StepLength));

@@ -5,12 +5,12 @@ using UnityEngine;
 
 namespace RigidBodyDynamics.Scripts.Tests.Play
 {
-    /// <summary>A test that makes objects while the game plays, and leaves nothing behind.</summary>
+    /// <summary>A test that creates objects while the game plays, and destroys them afterwards.</summary>
     public abstract class PlayTest
     {
         private readonly List<GameObject> _made = new List<GameObject>();
 
-        /// <summary>The length of a step, as the component tells the library.</summary>
+        /// <summary>The step length, as the component gives it to the library.</summary>
         protected static double StepLength => ToUnity.Meant(Time.fixedDeltaTime);
 
         [TearDown]
@@ -34,7 +34,7 @@ namespace RigidBodyDynamics.Scripts.Tests.Play
             DestroyAfterwards(cube);
             cube.SetActive(false);
             prepare?.Invoke(cube);
-            // it would stand in the way of the engine's bodies
+            // it would collide with the engine's bodies
             if (cube.GetComponent<Rigidbody>() == null)
                 UnityEngine.Object.DestroyImmediate(cube.GetComponent<Collider>());
 
@@ -44,7 +44,7 @@ namespace RigidBodyDynamics.Scripts.Tests.Play
             return script;
         }
 
-        /// <summary>A cube that is stepped by the test alone: switched off, it does not hear FixedUpdate.</summary>
+        /// <summary>A cube that only the test steps: it is disabled, so it gets no FixedUpdate.</summary>
         protected MyRigidbody MakeStill(Action<MyRigidbody> set = null, Action<GameObject> prepare = null)
         {
             MyRigidbody body = Make(set, prepare);
@@ -52,7 +52,7 @@ namespace RigidBodyDynamics.Scripts.Tests.Play
             return body;
         }
 
-        /// <summary>Unity's body as the course has it: no gravity.</summary>
+        /// <summary>Unity's body as in the course: without gravity.</summary>
         protected DefaultRigidbody MakeDefault(Action<DefaultRigidbody> set = null) =>
             Make(set, cube => cube.AddComponent<Rigidbody>().useGravity = false);
 

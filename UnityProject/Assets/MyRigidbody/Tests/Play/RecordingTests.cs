@@ -9,7 +9,7 @@ using UnityEngine.TestTools;
 
 namespace RigidBodyDynamics.Scripts.Tests.Play
 {
-    /// <summary>A recording is complete when it has been read back.</summary>
+    /// <summary>A recording is complete if it can be read back.</summary>
     public sealed class RecordingTests : PlayTest
     {
         private const int Steps = 20;
@@ -59,7 +59,7 @@ namespace RigidBodyDynamics.Scripts.Tests.Play
             Directory.Delete(folder, true);
 
             Assert.That(json, Does.Contain("\"lock\": {\"move\": \"y\", \"turn\": \"xz\"},"));
-            // Unity's manual: what is frozen has a moment of 0
+            // Unity's manual: a frozen axis has a moment of 0
             Assert.That(List(json, "inertiaTensor"), Is.EqualTo(new[] { 0, 1f / 6, 0 }).Within(1e-6f));
             Assert.That(body.Mass.PrincipalMoments.Y, Is.EqualTo(1.0 / 6).Within(1e-6));
         }

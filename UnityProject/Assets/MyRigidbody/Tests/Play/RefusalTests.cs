@@ -7,7 +7,7 @@ using UnityEngine.TestTools;
 
 namespace RigidBodyDynamics.Scripts.Tests.Play
 {
-    /// <summary>What cannot be a body is refused, in one line of the console.</summary>
+    /// <summary>An impossible body is refused, in one line of the console.</summary>
     public sealed class RefusalTests : PlayTest
     {
         private static readonly Regex OneLine = new Regex("^MyRigidbody on 'Cube': .");

@@ -27,14 +27,14 @@ namespace RigidBodyDynamics.Scripts.Tests.Play
 
             GameObject[] roots = SceneManager.GetActiveScene().GetRootGameObjects();
             DestroyAfterwards(roots);
-            // a script that is missing is null here
+            // a missing script is null here
             Assert.That(roots.SelectMany(root => root.GetComponentsInChildren<Component>(true)), Is.All.Not.Null);
             Experiment experiment = roots.Select(root => root.GetComponentInChildren<Experiment>()).Single(found => found != null);
             Assert.That(experiment.GetComponent<Panel>() != null, Is.True);
             Assert.That(experiment.Mine.Count, Is.EqualTo(bodies));
             Assert.That(experiment.Theirs.Count, Is.EqualTo(theirs));
 
-            // the course's keys are for the lab's bodies; the slabs turn by themselves
+            // the course's keys are for the lab's bodies; the slabs rotate freely
             int steps = experiment.Steps;
             while (experiment.Seconds < 10)
                 yield return null;

@@ -4,7 +4,7 @@ using UnityEngine;
 
 namespace RigidBodyDynamics.Scripts.Tests.Play
 {
-    /// <summary>Inertia, damping, gravity, and what happens when they are changed in the middle.</summary>
+    /// <summary>Inertia, damping, gravity, and the result of changing them during the motion.</summary>
     public sealed class SettingTests : PlayTest
     {
         [Test]
@@ -87,7 +87,7 @@ namespace RigidBodyDynamics.Scripts.Tests.Play
             LabInput.HoldOnScreen(LabKey.R, true);
             body.Step();
 
-            // the same body comes into a simulation that has run as long: the torque of R is that of now
+            // the same body is added to a simulation that has run as long: the torque of R is the present one
             Simulation library = new Simulation(TimeSteps.Every(StepLength));
             library.Step(50);
             Body same = library.Add(new BodyDescription("cube", PointMasses.BoxVertices(1, new Vector3d(1, 1, 1))) { Start = here }
@@ -119,7 +119,7 @@ namespace RigidBodyDynamics.Scripts.Tests.Play
                 Assert.That(body.State.Position.X, Is.EqualTo(passed + 50 * 0.01).Within(1e-14));
                 LabInput.HoldOnScreen(LabKey.R, true);
                 body.Step();
-                // sin t N m on 2/4 m² of 1 kg, by the lab's rule at the start of the step
+                // sin t N m on 2/4 m² of 1 kg, by LabEuler at the start of the step
                 Assert.That(body.State.AngularVelocity.X, Is.EqualTo(Math.Sin(passed + 0.5) * 0.01 / 0.5).Within(1e-14));
             }
             finally

@@ -45,7 +45,7 @@ namespace RigidBodyDynamics.Scripts.Tests.Play
                 Quaterniond turn = body.State.Orientation;
                 Assert.That(body.transform.position.Equals(new Vector3((float)place.X, (float)place.Y, (float)place.Z)), Is.True, "step " + step);
 
-                // the engine may set the length of a rotation to one: a last bit
+                // the engine may scale a rotation to length one, which changes a last bit
                 Quaternion shown = body.transform.rotation;
                 Assert.That(new[] { shown.w, shown.x, shown.y, shown.z }, Is.EqualTo(new[] { turn.W, turn.X, turn.Y, turn.Z }).Within(1.2e-7));
             }
@@ -80,7 +80,7 @@ namespace RigidBodyDynamics.Scripts.Tests.Play
             cube.transform.localScale = Size;
         }
 
-        // written out once more, so that the component is not compared with itself
+        // written out separately, so that the component is not compared with itself
         private static Simulation Library(string integrator, LabKeyboard keyboard)
         {
             BodyDescription body = new BodyDescription("box", PointMasses.BoxVertices(1.5, new Vector3d(1, 2, 3)))
