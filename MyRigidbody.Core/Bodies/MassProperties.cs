@@ -160,13 +160,13 @@ namespace RigidBodyDynamics
         {
             const double One = 1 - 1e-12;
             if (moments.IsZero)
-                return "all points are one, and nothing resists a turn";
+                return "all points are one, so the inertia is zero";
 
             Vector3d axis = frame.Normalized.Rotate(
                 moments.X == least ? new Vector3d(1, 0, 0) : moments.Y == least ? new Vector3d(0, 1, 0) : new Vector3d(0, 0, 1));
             string along = Math.Abs(axis.X) > One ? "x" : Math.Abs(axis.Y) > One ? "y" : Math.Abs(axis.Z) > One ? "z"
                 : string.Format(CultureInfo.InvariantCulture, "({0:g6}, {1:g6}, {2:g6})", axis.X, axis.Y, axis.Z);
-            return "all points lie on a line along " + along + ", and nothing resists a turn about it";
+            return "all points lie on a line along " + along + ", so the inertia about it is zero";
         }
     }
 }

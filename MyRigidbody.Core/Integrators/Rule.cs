@@ -159,7 +159,7 @@ namespace RigidBodyDynamics
         public UnityRule(string name, int order, Keeps keeps, Cost cost, string about) : base(name, order, keeps, cost, about) { }
 
         internal override string Rotation(BodyDescription body) =>
-            body.Unity.GyroscopicForces ? "rotation by PhysX's rule with its gyroscopic switch" : base.Rotation(body);
+            body.Unity.GyroscopicForces ? "rotation as in PhysX with its gyroscopic option" : base.Rotation(body);
 
         internal override string Settings(BodyDescription body) => string.Format(
             CultureInfo.InvariantCulture,

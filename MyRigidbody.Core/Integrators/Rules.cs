@@ -23,23 +23,23 @@ namespace RigidBodyDynamics
 
         /// <summary>Unity's own body.</summary>
         public static Rule UnityRigidbody { get; } = Listed(new UnityRule(
-            "UnityRigidbody", 1, Keeps.AngularVelocity, Cost.SeveralTimesTheLab, "DefaultRigidbody: PhysX's rule with drag, 7 rad/s and sleep"));
+            "UnityRigidbody", 1, Keeps.AngularVelocity, Cost.SeveralTimesTheLab, "DefaultRigidbody: PhysX's integrator with drag, 7 rad/s and sleep"));
 
         /// <summary>A reference: implicit Euler for ω.</summary>
         public static Rule ImplicitGyroscopic { get; } = Listed<GyroscopicEuler<ImplicitRule>>(
-            "ImplicitGyroscopic", 1, Keeps.Motion, Cost.SeveralTimesTheLab, "yardstick: one Newton step for the gyroscopic torque, as popular engines do");
+            "ImplicitGyroscopic", 1, Keeps.Motion, Cost.SeveralTimesTheLab, "for comparison: one Newton step for the gyroscopic torque, as in popular engines");
 
         /// <summary>A reference: explicit Euler for L.</summary>
         public static Rule ExplicitGyroscopic { get; } = Listed<GyroscopicEuler<ExplicitRule>>(
-            "ExplicitGyroscopic", 1, Keeps.Motion | Keeps.MomentumLength, Cost.SeveralTimesTheLab, "yardstick: momentum back to its old length, as PhysX's switch does");
+            "ExplicitGyroscopic", 1, Keeps.Motion | Keeps.MomentumLength, Cost.SeveralTimesTheLab, "for comparison: angular momentum scaled back to its length, as by PhysX's option");
 
         /// <summary>Free rotation split into five rotations.</summary>
         public static Rule Splitting { get; } = Listed(new SplittingRule(
-            "Splitting", 2, Kept | Keeps.EnergyBounded | Keeps.WayBack, Cost.SeveralTimesTheLab, "rotations about the three axes in turn; keeps L, energy swings"));
+            "Splitting", 2, Kept | Keeps.EnergyBounded | Keeps.WayBack, Cost.SeveralTimesTheLab, "rotations about the three axes one after another; keeps L, energy oscillates"));
 
         /// <summary>For pushes that have no exact flow.</summary>
         public static Rule RungeKutta4 { get; } = Listed<RungeKutta4>(
-            "RungeKutta4", 4, Kept, Cost.SeveralTimesTheLab, "the classical rule, L in world axes; for pushes that cannot be taken apart");
+            "RungeKutta4", 4, Kept, Cost.SeveralTimesTheLab, "the classical method, L in world axes; for pushes without an exact flow");
 
         /// <summary>Exact free motion between half pushes.</summary>
         public static Rule Exact { get; } = Listed(new CompositionRule<Order2>(

@@ -92,7 +92,7 @@ namespace RigidBodyDynamics
             {
                 StretchPlan stretch = _plan.Stretches[i];
                 text.Append("  ").Append(Time(stretch)).Append(": ").Append(string.Join(", ", Parts(stretch)));
-                text.Append(Coasts(stretch) ? "; computed when somebody looks\n" : "\n");
+                text.Append(Coasts(stretch) ? "; computed when its state is read\n" : "\n");
             }
 
             if (_plan.Stretches.Count > MostStretches)
@@ -115,7 +115,7 @@ namespace RigidBodyDynamics
             {
                 if (Coasts(stretch))
                 {
-                    Add("steps that nobody looks at", "closed form: " + Time(stretch), asked, Steps);
+                    Add("steps whose states are not read", "closed form: " + Time(stretch), asked, Steps);
                     break;
                 }
             }

@@ -47,7 +47,7 @@ namespace RigidBodyDynamics
 
         private static string Why(BodyPlan plan, long step, bool isLoaded) => Guard.OneLine(string.Format(
             CultureInfo.InvariantCulture,
-            "{0} has run away: no finite state at t = {1:R} s, after step {2}{3}",
+            "{0} has diverged: no finite state at t = {1:R} s, after step {2}{3}",
             plan.Rule.Name, plan.Steps.StartOf(step + 1), step,
             Acting(plan, step, isLoaded)));
 

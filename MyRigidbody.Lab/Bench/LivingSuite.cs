@@ -45,7 +45,7 @@ internal static class LivingSuite
             One("ask the handle", (_, body) => gone |= body.IsRemoved),
             One("read", (_, body) => seen = body.State),
             One("push", (_, body) => body.ApplyImpulse(impulse)),
-            One("push off the centre", (_, body) => body.ApplyImpulse(impulse, point, inBody: true)),
+            One("eccentric push", (_, body) => body.ApplyImpulse(impulse, point, inBody: true)),
             One("set", (_, body) => body.State = start),
             One("remove and bring back", (simulation, body) =>
             {

@@ -66,7 +66,7 @@ internal sealed record OtherEngines(IReadOnlyList<OtherEngines.Row> Rows, string
     /// <summary>The table for the terminal.</summary>
     public TextTable Table()
     {
-        TextTable table = new("A thousand free bodies, beside other engines", "ns a step", "off within 100 s, rad");
+        TextTable table = new("A thousand free bodies, beside other engines", "ns a step", "error within 100 s, rad");
         foreach (Row row in Rows)
             table.AddRow(row.Engine, CostTables.Number(row.Nanoseconds), CostTables.Error(row.AngleError));
 

@@ -56,8 +56,8 @@ internal static class Ratios
         const double Most = 0.02, Part = 0.05;
         List<(string What, double Off)> off = [.. all.Select(m => (m.What, Off: Math.Abs(m.RatioToItself - 1))).OrderByDescending(m => m.Off)];
         int far = off.Count(m => m.Off > Most);
-        return FormattableString.Invariant($"measurements to themselves: {off.Count - far} of {off.Count} within 2 %, the worst, {off[0].What}, {100 * off[0].Off:0.0} % off; ")
-            + (far <= Part * off.Count ? "the machine was quiet" : "THE RUN IS NOISY, its ratios say nothing; let nothing else run, and take it again");
+        return FormattableString.Invariant($"measurements to themselves: {off.Count - far} of {off.Count} within 2 %, the worst, {off[0].What}, {100 * off[0].Off:0.0} % apart; ")
+            + (far <= Part * off.Count ? "the machine was quiet" : "THE RUN IS NOISY, its ratios mean nothing; close other programs and measure again");
     }
 
     private static IEnumerable<(string Title, string Of, string To)> Single()
@@ -75,7 +75,7 @@ internal static class Ratios
             yield return ("an effect that acts", $"Exact, {effect} on", "Exact, no effect");
         }
 
-        yield return ("keys that nobody holds", "Exact, gravity and keys that nobody holds", "Exact, gravity on");
+        yield return ("keys that are not held", "Exact, gravity and keys that are not held", "Exact, gravity on");
         foreach (string rule in new[] { "Exact", "LabEuler" })
         {
             yield return ("an effect that pushes nothing", $"{rule}, falls, and is pushed by nothing, 1000 steps a call", $"{rule}, falls, 1000 steps a call");
@@ -86,7 +86,7 @@ internal static class Ratios
         yield return ("a body that does not turn", "Exact, no spin", "Exact, three different moments");
         yield return ("two equal moments", "Exact, two equal moments", "Exact, three different moments");
         yield return ("three equal moments", "Exact, three equal moments", "Exact, three different moments");
-        yield return ("coasting unseen", "Exact, coasting and not looked at", "Exact, three different moments");
+        yield return ("coasting, state not read", "Exact, coasting, state not read", "Exact, three different moments");
         yield return ("at rest", "Exact, at rest", "Exact, three different moments");
         yield return ("Unity's, asleep", "UnityRigidbody, asleep", "Exact, three different moments");
         yield return ("damped to nothing", "LabEuler, damped for 100000 steps", "LabEuler, damped for 0 steps");
@@ -103,6 +103,6 @@ internal static class Ratios
 
         yield return ("to what the memory can do", "Exact, three moments, together", "in-place scale of 26 doubles a body", 1);
         yield return ("to what the memory can do", "LabEuler, together", "in-place scale of 26 doubles a body", 1);
-        yield return ("coasting unseen", "Exact, coasting and not looked at, together", "Exact, three moments, together", 1);
+        yield return ("coasting, state not read", "Exact, coasting, state not read, together", "Exact, three moments, together", 1);
     }
 }

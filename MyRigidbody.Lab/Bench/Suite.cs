@@ -62,7 +62,7 @@ internal static class Suite
                 Alone($"Exact, {effect.Name} on", effect.With(General(), 0)),
                 Alone($"Exact, {effect.Name} idle", effect.With(General(), Never)),
             }),
-            Alone("Exact, gravity and keys that nobody holds", General().With(new Gravity(new Vector3d(0, -9.81, 0))).With(new HeldKeys(new LabKeyboard()))),
+            Alone("Exact, gravity and keys that are not held", General().With(new Gravity(new Vector3d(0, -9.81, 0))).With(new HeldKeys(new LabKeyboard()))),
         ];
     }
 
@@ -80,7 +80,7 @@ internal static class Suite
             Alone("Exact, two equal moments", Body("Exact", new Vector3d(1, 1, 0.5))),
             Alone("Exact, three equal moments", Body("Exact", new Vector3d(1, 1, 1))),
             Alone("Exact, no spin", held),
-            Unseen("Exact, coasting and not looked at", General()),
+            Unseen("Exact, coasting, state not read", General()),
             Unseen("Exact, at rest", lying),
             Unseen("UnityRigidbody, asleep", asleep),
         ];
@@ -121,7 +121,7 @@ internal static class Suite
         foreach (int threads in new[] { 1, 2 })
             all.Add(new Measurement("in-place scale of 26 doubles a body", bodies, threads, () => InPlaceScale.Of(26 * bodies, threads)));
 
-        all.Add(new Measurement("Exact, coasting and not looked at, together", bodies, 1, () => OneByOne(Together(General(), bodies, 1, Omissions.All).Step)));
+        all.Add(new Measurement("Exact, coasting, state not read, together", bodies, 1, () => OneByOne(Together(General(), bodies, 1, Omissions.All).Step)));
         return all;
     }
 

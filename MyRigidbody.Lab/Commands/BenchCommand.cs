@@ -15,7 +15,7 @@ internal static class BenchCommand
     {
         Option<string> output = new("--out") { Description = "the CSV file", DefaultValueFactory = _ => DefaultFile };
         Option<bool> quick = new("--quick") { Description = "fewer repeats, and no million bodies" };
-        Command command = new("bench", "Time per step of every rule, of each effect on, idle and absent, of one body and of many, on Mono, and of other engines") { output, quick };
+        Command command = new("bench", "Time per step of every integrator, of each effect acting, idle and absent, of one body and of many, on Mono, and of other engines") { output, quick };
         command.SetAction(parsed => Execute(parsed.GetRequiredValue(output), parsed.GetValue(quick)));
         return command;
     }
@@ -40,7 +40,7 @@ internal static class BenchCommand
         StringBuilder csv = new("what,bodies,threads,nanosecondsPerBodyStep,bytesAllocated\n");
         OnMono onMono = null!;
         OtherEngines others = null!;
-        Terminal.WithProgress("taking the time", report =>
+        Terminal.WithProgress("measuring times", report =>
         {
             for (int i = 0; i < groups.Length; i++)
             {

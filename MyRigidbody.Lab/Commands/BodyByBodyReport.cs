@@ -93,7 +93,7 @@ internal static class BodyByBodyReport
             yield return Line(BodyByBody.CostOf(found.OneStep), $"in one scene, whose file then says \"step\": {step} and the integrators on the right");
         }
 
-        string Line(double cost, string how) => $"{Number(cost)}{Less(cost, oneRule)}, each by its own rule {how}";
+        string Line(double cost, string how) => $"{Number(cost)}{Less(cost, oneRule)}, each by its own integrator {how}";
     }
 
     private static string Less(double cost, double than) => !double.IsFinite(than) ? string.Empty

@@ -17,7 +17,7 @@ internal static class CheckCommand
         Option<string?> output = new("--out") { Description = "folder for report.html: the findings, and the script moving beside the reference and Unity's body", HelpName = "DIR" };
         Option<bool> json = new("--json") { Description = "as JSON, in both languages" };
         Option<bool> watch = new("--watch") { Description = "again whenever the file is saved, until Ctrl-C" };
-        Command command = new("check", "Which of the lab's five steps a script has right, and what is off in the others") { script, output, json, watch };
+        Command command = new("check", "Which of the lab's five steps a script has right, and what is wrong in the others") { script, output, json, watch };
         command.SetAction(parsed => Execute(
             parsed.GetValue(script)!,
             parsed.GetValue(output),

@@ -98,7 +98,7 @@ internal static class ChooseCommand
             Terminal.WriteText($"To have it: {Shell.Line("run", path, "--integrator", advice.Best.Rule.Name, "--step", CostTables.ExactStep(advice.Best.Step))}");
             foreach ((string place, double linear, double angular) in StepFree.Rates(scene))
             {
-                Terminal.WriteText(FormattableString.Invariant($$"""with, in place of {{place}}, { "linearDamping": {{linear:R}} }, { "angularDamping": {{angular:R}} }: in other steps its factor is another drag."""));
+                Terminal.WriteText(FormattableString.Invariant($$"""with, in place of {{place}}, { "linearDamping": {{linear:R}} }, { "angularDamping": {{angular:R}} }: with other steps its factor is another damping."""));
             }
         }
 

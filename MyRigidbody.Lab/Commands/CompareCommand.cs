@@ -43,7 +43,7 @@ internal static class CompareCommand
             DefaultValueFactory = _ => DefaultTolerance,
             CustomParser = Numbers.Parse,
         };
-        Command command = new("compare", "MyRigidbody beside DefaultRigidbody, and why they part") { scene, output, tolerance };
+        Command command = new("compare", "MyRigidbody beside DefaultRigidbody, and why they differ") { scene, output, tolerance };
         command.SetAction(parsed => Execute(parsed.GetValue(scene) ?? Gallery.Lab, parsed.GetValue(output)!, parsed.GetValue(tolerance)));
         return command;
     }

@@ -22,7 +22,7 @@ internal static class CostCommand
             HelpName = "DIR",
             DefaultValueFactory = _ => CompareCommand.DefaultFolder,
         };
-        Option<bool> quick = new("--quick") { Description = "fewer motions and steps, times less sure: some seconds instead of minutes" };
+        Option<bool> quick = new("--quick") { Description = "fewer motions and steps, less certain times: some seconds instead of minutes" };
         Command command = new("cost", "Accuracy against time for every integrator, measured on this machine") { scenes, output, quick };
         command.SetAction(parsed => Execute(parsed.GetValue(scenes) ?? [], parsed.GetValue(output)!, parsed.GetValue(quick)));
         return command;
@@ -100,7 +100,7 @@ internal static class CostCommand
 
         Terminal.WriteText(CostTables.Legend);
         Terminal.WriteLine();
-        Terminal.WriteText("The cheapest rule that stays below an error, and what it costs per simulated second:");
+        Terminal.WriteText("The cheapest integrator with an error below each bound, and its cost per simulated second:");
         foreach (CostFindings findings in found)
         {
             Terminal.WriteText("- " + CostTables.InWords(findings));

@@ -111,7 +111,7 @@ internal static class ExplainCommand
             foreach (StretchPlan stretch in Plan.Stretches.Take(MostStretches))
             {
                 lines.Add($"  {Language.Say(Explanation.Time(stretch))}{(Language.IsChinese ? "：" : ": ")}{string.Join(Language.IsChinese ? "，" : ", ", Explanation.Parts(stretch).Select(Language.Say))}"
-                    + (Explanation.Coasts(stretch) ? "; computed when somebody looks" : string.Empty));
+                    + (Explanation.Coasts(stretch) ? "; computed when its state is read" : string.Empty));
             }
 
             if (Plan.Stretches.Count > MostStretches)

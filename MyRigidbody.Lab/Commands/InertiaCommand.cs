@@ -14,9 +14,9 @@ internal static class InertiaCommand
         Option<double?> mass = Number("--mass", "of a mesh, kg", "M");
         Option<double?> density = Number("--density", "of a mesh, kg/m³; 1000 if neither is given", "D");
         Option<double?> scale = Number("--scale", "of a mesh: times every length; 0.001 for one in millimetres", "F");
-        Option<string?> scene = new("--scene") { Description = "besides, a scene of the bodies", HelpName = "OUT.json" };
+        Option<string?> scene = new("--scene") { Description = "also a scene of the bodies", HelpName = "OUT.json" };
         Option<bool> json = new("--json") { Description = "as JSON" };
-        Command command = new("inertia", "Mass, centre, principal moments and frame of each body of a file, and which usual mistake is in them; exit code 1 if there is one")
+        Command command = new("inertia", "Mass, centre, principal moments and frame of each body of a file, and common mistakes in them; exit code 1 if there is one")
         {
             file, mass, density, scale, scene, json,
         };

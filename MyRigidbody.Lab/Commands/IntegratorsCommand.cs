@@ -13,7 +13,7 @@ internal static class IntegratorsCommand
     public static Command Create()
     {
         Option<bool> json = new("--json") { Description = "as JSON" };
-        Command command = new("integrators", "The catalogue: every rule by which a body can move") { json };
+        Command command = new("integrators", "The catalogue: every integrator by which a body can move") { json };
         command.SetAction(parsed => Execute(parsed.GetValue(json)));
         return command;
     }
@@ -48,7 +48,7 @@ internal static class IntegratorsCommand
 
     private static string Words(Keeps keeps) =>
         keeps.HasFlag(Keeps.Energy) ? "L, energy"
-        : keeps.HasFlag(Keeps.EnergyBounded) ? "L; energy swings"
+        : keeps.HasFlag(Keeps.EnergyBounded) ? "L; energy oscillates"
         : keeps.HasFlag(Keeps.Momentum) ? "L"
         : keeps.HasFlag(Keeps.MomentumLength) ? "|L|"
         : keeps.HasFlag(Keeps.Motion) ? "–"

@@ -19,7 +19,7 @@ internal static class RunCommand
     public static Command Create()
     {
         Argument<string> scene = new("SCENE") { Description = "a scene file or a recording" };
-        Option<string?> integrator = new("--integrator") { Description = "the rule for every body, instead of the file's", HelpName = "NAME" };
+        Option<string?> integrator = new("--integrator") { Description = "the integrator for every body, instead of the file's", HelpName = "NAME" };
         Option<double?> step = new("--step")
         {
             Description = "length of every step in s, instead of the file's",
@@ -33,7 +33,7 @@ internal static class RunCommand
             DefaultValueFactory = _ => 1,
         };
         Option<string?> output = new("--out") { Description = "the file to write; standard output if absent", HelpName = "FILE" };
-        Option<string?> report = new("--report") { Description = "besides, a page to open in the browser; the scene runs once more for it", HelpName = "FILE" };
+        Option<string?> report = new("--report") { Description = "also a page to open in the browser; the scene runs once more for it", HelpName = "FILE" };
         Command command = new("run", "The trajectory of a scene, as CSV") { scene, integrator, step, every, output, report };
         command.SetAction(parsed => Execute(
             parsed.GetValue(scene)!,

@@ -14,13 +14,13 @@ internal static class CompareTables
     {
         Terminal.WriteText($"{found.Pair.Mine.Name} ({found.Pair.Mine.Rule.Name}) beside {found.Pair.Default.Name} ({found.Pair.Default.Rule.Name}), in s, m, rad/s, °");
         Terminal.Write(Motion(found));
-        Terminal.WriteText("Why they part: what is different");
+        Terminal.WriteText("Why they differ");
         Terminal.Write(Differences(found.Shares));
-        Terminal.WriteText("and how much of it each rule makes, put in one after another");
+        Terminal.WriteText("and the share of each rule, exchanged one after another");
         Terminal.Write(Shares(found.Shares));
         Terminal.WriteText("share: how far the exchange moves the body on the way from mine to Unity's, on average "
             + "over the run; below zero where it takes back what another gives. "
-            + "alone: how far mine moves if only this rule is exchanged" + IfNotTheLabs(found) + ". turn: whole turns counted.");
+            + "alone: how far mine moves if only this rule is exchanged" + IfNotTheLabs(found) + ". turn: whole revolutions counted.");
         Terminal.WriteLine();
         Terminal.WriteText(InWords(found));
         if (found.FrameRates.Count > 0)

@@ -27,7 +27,7 @@ internal static class Phrases
             (@"^free rotation of a body with two equal moments \(exact\)$", "自由转动，两个主转动惯量相等（精确）"),
             (@"^free rotation of a body with three equal moments \(exact\)$", "自由转动，三个主转动惯量相等（精确）"),
             (@"^free rotation, split into three \(order 2\)$", "自由转动，分成三个转动（二阶）"),
-            ("^rotation by PhysX's rule with its gyroscopic switch$", "按 PhysX 的规则转动，打开陀螺项"),
+            ("^rotation as in PhysX with its gyroscopic option$", "与 PhysX 相同的转动，打开陀螺项"),
             (@"^rotation by (\w+)", "按 $1 转动"),
             (@" \(no gyroscopic term\)$", "（无陀螺项）"),
             ("^no rotation$", "不转动"),
@@ -70,7 +70,7 @@ internal static class Phrases
             (@"^(\S+ s) to (\S+ s)$", "$1 至 $2"),
 
             // what is left out, and why
-            ("^steps that nobody looks at$", "无人查看的步"),
+            ("^steps whose states are not read$", "不读取其状态的步"),
             (@"^closed form: always$", "始终有闭式解"),
             (@"^closed form: from (\S+ s)$", "从 $1 起有闭式解"),
             (@"^closed form: (\S+ s) to (\S+ s)$", "$1 至 $2 有闭式解"),

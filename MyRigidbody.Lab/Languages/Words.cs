@@ -91,7 +91,7 @@ internal static class Words
         ["recording"] = new("How far from the recording", "与录制的差别"),
         ["recording.same"] = new(
             "{0} repeats all {1} steps of the recording bit for bit.", "{0} 逐位重现了录制的全部 {1} 步。"),
-        ["recording.parts"] = new("{0} first parts from the recording at {1}.", "{0} 与录制首次不同：{1}。"),
+        ["recording.parts"] = new("{0} first differs from the recording at {1}.", "{0} 与录制首次不同：{1}。"),
         ["recording.within"] = new("The largest difference, {0}, is within the tolerance of {1}.", "最大差别 {0} 不超过容差 {1}。"),
         ["recording.beyond"] = new("The largest difference, {0}, is above the tolerance of {1}: the comparison fell short.", "最大差别 {0} 超过容差 {1}：比较未达到要求。"),
         ["recording.caption"] = new("Largest differences", "最大差别"),
@@ -107,7 +107,7 @@ internal static class Words
         ["plan.when"] = new("when", "时间"),
         ["plan.what"] = new("what moves it", "运动的组成"),
         ["plan.more"] = new("and {0} more", "以及另外 {0} 项"),
-        ["plan.coasts"] = new("computed when somebody looks", "需要时才计算"),
+        ["plan.coasts"] = new("computed when its state is read", "读取状态时才计算"),
         ["plan.left"] = new("Left out", "省去的部分"),
         ["plan.note"] = new("Note", "注意"),
 

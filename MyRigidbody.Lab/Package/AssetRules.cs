@@ -65,7 +65,7 @@ internal static partial class AssetRules
 
     /// <summary>Why an asset at this path should not be imported; empty where it may be.</summary>
     public static string? Danger(string path) =>
-        Visible.Line(path) != path ? "has characters that nobody sees"
+        Visible.Line(path) != path ? "has invisible characters"
         : !path.StartsWith("Assets/", StringComparison.Ordinal) && !path.StartsWith("Packages/", StringComparison.Ordinal) && path is not ("Assets" or "Packages") ? "is outside of Assets and Packages"
         : path.Split('/', '\\').Any(part => part is ".." or ".") ? "leads out of its folder"
         : path.Contains(':') ? "names a drive or a stream"

@@ -9,7 +9,7 @@ internal sealed record CostMotion(SceneDescription Scene, Truth Truth, bool IsSo
     /// <summary>The source of the true motion, in words.</summary>
     public string Origin => IsSolved
         ? "true motion: solved to 20 digits"
-        : FormattableString.Invariant($"true motion: our own, in ever shorter steps until it stood still; uncertain by {Truth.Uncertainty:0.0e+0}");
+        : FormattableString.Invariant($"true motion: our own, with shorter and shorter steps until it converged; uncertainty {Truth.Uncertainty:0.0e+0}");
 
     /// <summary>The motion of a scene file.</summary>
     public static CostMotion Of(string path, Action<double> report)

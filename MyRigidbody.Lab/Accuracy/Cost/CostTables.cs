@@ -9,9 +9,9 @@ internal static class CostTables
     /// <summary>The meaning of the columns.</summary>
     public const string Legend =
         "at 1/50: error (larger of rad and m) in steps of 1/50 s. ns: time for a step of one body. × lab: the same in steps of LabEuler, "
-        + "which leaves out I⁻¹ τ where nothing turns the body. "
+        + "which leaves out I⁻¹ τ where no torque acts. "
         + "to 1e-3 ...: the least that an error below it costs, in µs per simulated second and body. "
-        + "A rule's own drag and limits count as error, and so does a step that misses the beginning of an effect.";
+        + "An integrator's own drag and limits count as error, and so does a step that misses the beginning of an effect.";
 
     /// <summary>One row for each integrator.</summary>
     public static void Print(CostFindings found)

@@ -70,7 +70,7 @@ internal sealed class ClassFiles : IDisposable
         }
         catch (Exception closed) when (closed is IOException or UnauthorizedAccessException)
         {
-            throw new InputException($"{_folder}: the page of somebody who is no longer in the class cannot be taken away: {closed.Message.ReplaceLineEndings(" ")}");
+            throw new InputException($"{_folder}: the page of a student who is no longer in the class cannot be deleted: {closed.Message.ReplaceLineEndings(" ")}");
         }
     }
 }

@@ -51,7 +51,7 @@ internal static class Diagnosis
         if (missing > 0 && missing <= Math.Min(half, MostRounded * moments[2]))
         {
             yield return new Finding("rounded", Severity.Doubtful, FormattableString.Invariant(
-                $"the largest moment, {moments[2]:G7}, is above the sum of the others by {excess:G2} kg m², which is what its last digit may be off: written with too few digits; {nearest}"));
+                $"the largest moment, {moments[2]:G7}, is above the sum of the others by {excess:G2} kg m², which its last digit explains: written with too few digits; {nearest}"));
             yield break;
         }
 
@@ -77,7 +77,7 @@ internal static class Diagnosis
 
         if (!Tensors.IsDiagonal(tensor) && IsLike(body, Tensors.Turned(tensor), filled))
         {
-            return ("product-signs", "with the products turned in sign it is possible: ixy is minus the integral of x y, and many drawing programs print plus; " + Tensors.Text(Tensors.Turned(tensor)));
+            return ("product-signs", "with the signs of the products reversed it is possible: ixy is minus the integral of x y, and many drawing programs print plus; " + Tensors.Text(Tensors.Turned(tensor)));
         }
 
         SymmetricMatrix3 moved = mass * SymmetricMatrix3.OfPoint(body.Center), back = body.InBodyAxes + moved;
@@ -146,7 +146,7 @@ internal static class Diagnosis
     {
         double power = t.XX > 0 ? Math.Pow(10, Math.Round(Math.Log10(t.XX))) : 0;
         return t.XX == t.YY && t.YY == t.ZZ && Tensors.IsDiagonal(t) && Math.Abs(t.XX / power - 1) < 1e-9
-            ? FormattableString.Invariant($"three equal moments of {t.XX:R} kg m² are what is put where nobody has computed any")
+            ? FormattableString.Invariant($"three equal moments of {t.XX:R} kg m² are a placeholder, and not a computed value")
             : null;
     }
 

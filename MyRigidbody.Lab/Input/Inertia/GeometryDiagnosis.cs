@@ -119,7 +119,7 @@ internal static class GeometryDiagnosis
         SymmetricMatrix3 products = filled with { XX = 0, YY = 0, ZZ = 0 }, own = given with { XX = 0, YY = 0, ZZ = 0 };
         bool matter = Tensors.Apart(filled with { XY = 0, XZ = 0, YZ = 0 }, filled) > 0.05;
         return matter && Tensors.Apart(own, -1 * products) < 0.3
-            ? new Finding("product-signs", Severity.Doubtful, "its products have the sign turned: ixy is minus the integral of x y; evenly filled it would be " + Tensors.Text(filled, 4))
+            ? new Finding("product-signs", Severity.Doubtful, "the signs of its products are reversed: ixy is minus the integral of x y; evenly filled it would be " + Tensors.Text(filled, 4))
             : null;
     }
 

@@ -11,7 +11,7 @@ internal static class RunAway
             if (!Guard.IsFinite(Conserved.KineticEnergy(state, body.Mass)) || !Conserved.AngularMomentum(state, body.Mass).IsFinite)
             {
                 throw new FellShortException(
-                    $"{path}: body {ManyBodies.NameOf(body)}: {body.Rule.Name} has run away: no finite energy or angular momentum after step {simulation.StepsDone}");
+                    $"{path}: body {ManyBodies.NameOf(body)}: {body.Rule.Name} has diverged: no finite energy or angular momentum after step {simulation.StepsDone}");
             }
         }
     }

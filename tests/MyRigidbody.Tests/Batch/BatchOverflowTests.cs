@@ -27,7 +27,7 @@ public sealed class BatchOverflowTests
 
             StateOverflowException error = Lost(batch, count);
             Assert.That((error.Body, error.Number, error.Step), Is.EqualTo(("b", 1500, alone.Step)));
-            Assert.That(error.Message, Does.StartWith($"body \"b\" 1500: {rule} has run away: no finite state at t = {(alone.Step + 1) * 0.02} s, after step {alone.Step}"));
+            Assert.That(error.Message, Does.StartWith($"body \"b\" 1500: {rule} has diverged: no finite state at t = {(alone.Step + 1) * 0.02} s, after step {alone.Step}"));
             // calls of less than 64 steps are not all looked at: so the beginning of the call that ends with step 64, or the step
             Assert.That(batch.StepsDone, Is.EqualTo(Math.Max(alone.Step, (count < 64 ? 63 : 0) / count * count)));
 

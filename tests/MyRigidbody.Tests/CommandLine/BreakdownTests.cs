@@ -32,7 +32,7 @@ public sealed class BreakdownTests
         Refused(command, """
             { "schema": "rigid-body-scene/1", "name": "n", "step": 1, "steps": 6, "bodies": [ { "name": "b",
               "effects": [ { "torque": { "frame": "body", "constant": [0, 0, 1e300] }, "from": 1 } ] } ] }
-            """, 1, command[0] == "run" ? "error: s.json: body b: Exact has run away: no finite state at t = 2 s, after step 1, under effects[0] (torque " : "error: s.json: body ");
+            """, 1, command[0] == "run" ? "error: s.json: body b: Exact has diverged: no finite state at t = 2 s, after step 1, under effects[0] (torque " : "error: s.json: body ");
     }
 
     [TestCase("[1e200, 0, 0]", "error: s.json: bodies[0].velocity: must leave a finite kinetic energy, found ")]
@@ -60,7 +60,7 @@ public sealed class BreakdownTests
     public void Body_of_a_crowd_that_runs_away_is_named_by_its_number(string option, string value) => Refused(["run", option, value], """
         { "schema": "rigid-body-scene/1", "name": "n", "step": 0.1, "steps": 2000, "bodies": [
           { "name": "b", "count": 3, "integrator": "LabEuler", "position": [1, 0, 0], "effects": [ { "spring": { "anchor": [0, 0, 0], "at": [0, 0, 0], "stiffness": 1e6 } } ] } ] }
-        """, 1, "error: s.json: body b 0: LabEuler has run away: no finite state at t = ");
+        """, 1, "error: s.json: body b 0: LabEuler has diverged: no finite state at t = ");
 
     [Test]
     public void Distance_beyond_all_numbers_is_no_cell_of_a_table() => Refused(["compare"], """

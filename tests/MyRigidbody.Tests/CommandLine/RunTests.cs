@@ -122,7 +122,7 @@ public sealed class RunTests
         LabProcess lab = LabProcess.Run(folder.Path, "run", "stiff.json", "--out", "stiff.csv");
 
         Assert.That(lab.ExitCode, Is.EqualTo(1));
-        Assert.That(lab.Error, Does.StartWith("error: stiff.json: body a: LabEuler has run away"));
+        Assert.That(lab.Error, Does.StartWith("error: stiff.json: body a: LabEuler has diverged"));
         Assert.That(Directory.GetFiles(folder.Path), Is.EqualTo(new[] { folder.File("stiff.json") }));
     }
 

@@ -13,7 +13,7 @@ public sealed class RobotMistakesTests
     [
         Mistake("mistake-triangle.urdf", "upper_arm", "triangle", "no moment can exceed the sum of the other two, and 0.0214 is above 0.00519 + 0.01423 kg m²; the nearest possible tensor is ixx "),
         Mistake("mistake-not-positive.xml", "bracket", "not-positive", "no body has a moment of -0.001958 kg m² about an axis; the nearest possible tensor is ixx "),
-        Mistake("mistake-product-signs.urdf", "bracket", "product-signs", "its products have the sign turned: ixy is minus the integral of x y"),
+        Mistake("mistake-product-signs.urdf", "bracket", "product-signs", "the signs of its products are reversed: ixy is minus the integral of x y"),
         Mistake("mistake-about-origin.urdf", "upper_arm", "about-origin", "it was taken about the origin of the link, and is wanted about the centre of mass; evenly filled it would be ixx 0.01422, iyy 0.01422, izz 0.00144"),
         Mistake("mistake-moved-twice.urdf", "upper_arm", "moved-twice", "it was moved from the origin of the link to the centre of mass once more than it should"),
         Mistake("mistake-kg-mm2.urdf", "hand", "units", "in kg mm² (1 kg mm² is 1e-6 kg m²)?; evenly filled it would be ixx 0.0006, iyy 0.0006, izz 0.0006"),
@@ -22,7 +22,7 @@ public sealed class RobotMistakesTests
         Mistake("mistake-center-in-mm.urdf", "hand", "center-units", "the centre of mass is 50 m from the origin and the geometry is 0.173 m large: millimetres for metres?"),
         Mistake("mistake-rounded.urdf", "plate", "rounded", "written with too few digits; the nearest possible tensor is ixx 0.00333333333333, iyy 0.00333333333333, izz 0.00666666666667"),
         Mistake("mistake-massless.urdf", "hand", "mass", "mass is 0 kg: a body that moves has a mass above zero"),
-        Mistake("mistake-placeholder.urdf", "hand", "placeholder", "three equal moments of 0.001 kg m² are what is put where nobody has computed any"),
+        Mistake("mistake-placeholder.urdf", "hand", "placeholder", "three equal moments of 0.001 kg m² are a placeholder, and not a computed value"),
         Mistake("mistake-axes.urdf", "roller", "axes", "its moments are those of the geometry about other axes: y and z exchanged"),
         Mistake("mistake-half-lengths.xml", "plank", "lengths", "it is 0.25 times that of the geometry"),
         Mistake("mistake-order.xml", "bracket", "order", "fullinertia wants xx yy zz xy xz yz"),

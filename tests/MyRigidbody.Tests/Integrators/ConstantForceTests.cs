@@ -80,7 +80,7 @@ public sealed class ConstantForceTests
     public void Explain_names_it_once_and_does_not_leave_it_out()
     {
         string exact = Said("Exact"), unity = Said("UnityRigidbody");
-        Assert.That(exact, Does.Contain("force (800, -30, 0.5) N (closed form)").And.Contain("computed when somebody looks"));
+        Assert.That(exact, Does.Contain("force (800, -30, 0.5) N (closed form)").And.Contain("computed when its state is read"));
         Assert.That(unity, Does.Contain("force (800, -30, 0.5) N").And.Not.Contain("somebody looks"));
         foreach (string said in new[] { exact, unity })
         {

@@ -55,7 +55,7 @@ public sealed class HostilePackageTests
     public void Links_pipes_and_devices_are_no_assets(char type) =>
         Assert.That(Refused([.. Header(Guid + "/asset", 0, type), .. Asset("Assets/a.txt")]), Does.Contain("is no file but a"));
 
-    [TestCase("Assets/\u001b[31ma\u202e.txt", "has characters that nobody sees")]
+    [TestCase("Assets/\u001b[31ma\u202e.txt", "has invisible characters")]
     [TestCase("Assets/../../x", "leads out of its folder")]
     [TestCase("Assets\\..\\x", "is outside of Assets and Packages")]
     [TestCase("Assets/a\\..\\..\\..\\x", "leads out of its folder")]

@@ -35,7 +35,7 @@ public sealed class SceneErrorTests
     [TestCase(Head + """ "inertia": { "solidBox": [1, 1] } } ] }""", "scene.json: bodies[0].inertia.solidBox: must be three numbers [x, y, z], found [1, 1]")]
     [TestCase(Head + """ "inertia": { "principal": [1, 1, 3] } } ] }""", "scene.json: bodies[0].inertia.principal: no moment can exceed the sum of the other two, and the nearest that do not are (1.3333333333333333, 1.3333333333333333, 2.6666666666666665), found (1, 1, 3), in body \"b\"")]
     [TestCase(Head + """ "inertia": { "principal": [1, -1, 1] } } ] }""", "scene.json: bodies[0].inertia.principal: must have finite components above zero, found (1, -1, 1)")]
-    [TestCase(Head + """ "inertia": { "points": [[0, 0, 0], [1, 0, 0]] } } ] }""", "scene.json: bodies[0].inertia.points: all points lie on a line along x, and nothing resists a turn about it, found principal moments (0, 0.25, 0.25), in body \"b\"")]
+    [TestCase(Head + """ "inertia": { "points": [[0, 0, 0], [1, 0, 0]] } } ] }""", "scene.json: bodies[0].inertia.points: all points lie on a line along x, so the inertia about it is zero, found principal moments (0, 0.25, 0.25), in body \"b\"")]
     [TestCase(Head + """ "inertia": { "points": [[0, 0, 0]], "masses": [1, 2] } } ] }""", "scene.json: bodies[0].inertia.masses: must be as many as there are points (1), at least one, found 2")]
     [TestCase(Head + """ "inertia": { "solidCylinder": { "radius": -1, "height": 1 } } } ] }""", "scene.json: bodies[0].inertia.solidCylinder.radius: must be finite and above zero, found -1")]
     [TestCase(Head + """ "inertia": { "solidCylinder": { "radius": 1 } } } ] }""", "scene.json: bodies[0].inertia.solidCylinder: \"height\" is missing")]

@@ -31,8 +31,8 @@ public sealed class ExplanationTests
         Assert.That(explanation.Parts(plan.Stretches[0]), Is.EqualTo(new[] { "drift", Falls, Turns }));
         Assert.That(explanation.Parts(plan.Stretches[1]), Is.EqualTo(new[] { "drift", Falls, "linear damping 0.3 /s (closed form)", Turns, "key R" }));
         Assert.That(plan.Stretches.Select(explanation.Coasts), Is.EqualTo(new[] { true, false, true }));
-        Assert.That(explanation.Omitted.Select(omission => omission.What), Is.EqualTo(new[] { "steps that nobody looks at", "drag" }));
-        Assert.That(explanation.ToString(), Does.StartWith("top, by Exact\n  0 s to 1 s: drift, ").And.Contain("; computed when somebody looks\n").And.Contain("  left out: drag (none in the scene)\n"));
+        Assert.That(explanation.Omitted.Select(omission => omission.What), Is.EqualTo(new[] { "steps whose states are not read", "drag" }));
+        Assert.That(explanation.ToString(), Does.StartWith("top, by Exact\n  0 s to 1 s: drift, ").And.Contain("; computed when its state is read\n").And.Contain("  left out: drag (none in the scene)\n"));
     }
 
     [TestCaseSource(typeof(Scenery), nameof(Scenery.Integrators))]
@@ -102,7 +102,7 @@ public sealed class ExplanationTests
     public void Effect_of_a_user_s_own_says_what_it_is()
     {
         BodyDescription body = Top("Exact", new Vector3d(1, 2, 3));
-        Assert.That(LeftOut(body), Is.EqualTo(new[] { "steps that nobody looks at", "gravity", "damping", "drag", "forces and torques" }));
+        Assert.That(LeftOut(body), Is.EqualTo(new[] { "steps whose states are not read", "gravity", "damping", "drag", "forces and torques" }));
         Assert.That(LeftOut(Copy().With(new Wind(0.1, new Vector3d(1, 0, 0), Vector3d.Zero))), Is.EqualTo(new[] { "gravity", "damping" }));
         Assert.That(LeftOut(Copy().With(new Force(new Vector3d(1, 0, 0)))), Does.Contain("gravity"));
         foreach ((EffectTraits trait, string what) in new[] { (EffectTraits.IsGravity, "gravity"), (EffectTraits.IsDamping, "damping"), (EffectTraits.IsDrag, "drag") })

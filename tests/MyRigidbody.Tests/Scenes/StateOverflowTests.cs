@@ -42,7 +42,7 @@ public sealed class StateOverflowTests
                 StateOverflowException error = Assert.Throws<StateOverflowException>(() => Run(simulation, stepsAtOnce, looks))!;
                 Assert.That((error.Body, error.Number, error.Time), Is.EqualTo(("b", -1, (error.Step + 1) * Step)));
                 Assert.That(error.Step, Is.InRange(40, 60));
-                Assert.That(error.Message, Does.StartWith("body \"b\": ").And.Contains(" has run away: no finite state at t = ").And.Contains(named));
+                Assert.That(error.Message, Does.StartWith("body \"b\": ").And.Contains(" has diverged: no finite state at t = ").And.Contains(named));
                 found.Add((error.Step, error.Time));
 
                 // what was seen is finite; it is said again; and the others have not moved on

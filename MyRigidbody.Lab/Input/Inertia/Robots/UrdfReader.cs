@@ -58,7 +58,7 @@ internal sealed class UrdfReader(string file)
         Vector3d rpy = _attributes.Vector(origin, "rpy") ?? Vector3d.Zero;
         if (Math.Max(Math.Abs(rpy.X), Math.Max(Math.Abs(rpy.Y), Math.Abs(rpy.Z))) > (2 * Math.PI) + 1e-3)
         {
-            faults.Add(new Finding("degrees", Severity.Doubtful, $"rpy is {rpy}, more than a whole turn: URDF wants radians, and these may be degrees"));
+            faults.Add(new Finding("degrees", Severity.Doubtful, $"rpy is {rpy}, more than a whole revolution: URDF wants radians, and these may be degrees"));
         }
 
         Quaterniond turn = About(new Vector3d(0, 0, 1), rpy.Z) * About(new Vector3d(0, 1, 0), rpy.Y) * About(new Vector3d(1, 0, 0), rpy.X);
