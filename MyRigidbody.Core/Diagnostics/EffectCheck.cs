@@ -129,8 +129,8 @@ namespace RigidBodyDynamics
 
             private void Adds()
             {
-                const string Overwrites = "{0} does not add to what other effects have given: where there was some it is off by {1:g3} % of the largest push; write += and -=, never =.";
-                const string Deaf = "{0} reads a velocity, not what the impulse that comes in has made of it, and is off by {1:g3} % of the largest push: the body now moves as impulse.AppliedTo(body, mass).";
+                const string Overwrites = "{0} does not add to what other effects have given: where there was some its error is {1:g3} % of the largest push; write += and -=, never =.";
+                const string Deaf = "{0} reads a velocity, not what the impulse that comes in has made of it, and its error is {1:g3} % of the largest push: the body now moves as impulse.AppliedTo(body, mass).";
                 Vector3d force = Scale(_force) * new Vector3d(1, 2, -0.5), torque = Scale(_torque) * new Vector3d(-1, 0.5, 2);
                 Wrench there = new Wrench { Force = force, Torque = torque, BodyTorque = 2 * torque };
                 double at = Most(i => Apart(At(_instants[i], _states[i], there), Plus(there, 1, At(i))));
@@ -157,7 +157,7 @@ namespace RigidBodyDynamics
                     order++;
 
                 if (last >= 0 && order != isKnown)
-                    Found((order > 1 ? Hint : string.Empty) + "Over{0} is the integral of At to order {1} only: it is off by {2:g3} % of the largest push in {3} s, and {4} of order {1} at most; {5}.", when, order, 100 * errors[0], Longest, who, advice[Math.Min(order, 2)]);
+                    Found((order > 1 ? Hint : string.Empty) + "Over{0} is the integral of At to order {1} only: its error is {2:g3} % of the largest push in {3} s, and {4} of order {1} at most; {5}.", when, order, 100 * errors[0], Longest, who, advice[Math.Min(order, 2)]);
 
                 return order;
             }
@@ -172,7 +172,7 @@ namespace RigidBodyDynamics
                     return Apart(Over(now, -Longest, there.AppliedTo(_states[i], _mass)), Plus(default(Wrench), -1, there)) / Longest;
                 });
                 if (order < 9 && off > Error && Has(EffectTraits.ReadsVelocity | EffectTraits.ReadsAngularVelocity))
-                    Found(Hint + "Over by −h does not take back what Over by h gave: it is off by {0:g3} % of the largest push in {1} s, and Exact4 and Exact6 are of order {2} at most; let it be an exact flow or, like the midpoint rule, one that comes back.", 100 * off, Longest, order);
+                    Found(Hint + "Over by −h does not take back what Over by h gave: its error is {0:g3} % of the largest push in {1} s, and Exact4 and Exact6 are of order {2} at most; let it be an exact flow or, like the midpoint rule, one that comes back.", 100 * off, Longest, order);
             }
 
             /// <summary>

@@ -121,7 +121,7 @@ namespace RigidBodyDynamics
             }
 
             if ((_plan.LeftOut & Omissions.Rotation) != 0)
-                Add("rotation", "it starts without spin and nothing turns it", asked, Steps & ~Omissions.Rotation);
+                Add("rotation", "it starts without angular velocity and no torque acts", asked, Steps & ~Omissions.Rotation);
             else if (!asked.CanTurn)
                 Add("rotation", "the scene says that it cannot turn", null, Steps);
             else if ((asked.Lock & Locks.Turn) != 0)

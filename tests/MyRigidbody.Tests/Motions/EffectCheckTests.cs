@@ -71,12 +71,12 @@ public sealed class EffectCheckTests
     [Test]
     public void Impulse_that_is_not_the_integral_is_of_order_zero() => Finds(
         new Own(Moves, (_, _) => Y, (_, h, _) => 2 * h * Y),
-        "^Over is the integral of At to order 0 only: it is off by 50 % of the largest push in 0.1 s, and Exact is of order 0 at most; add what At gives in that time, the body held in its place.$");
+        "^Over is the integral of At to order 0 only: its error is 50 % of the largest push in 0.1 s, and Exact is of order 0 at most; add what At gives in that time, the body held in its place.$");
 
     [Test]
     public void Impulse_of_a_push_that_changes_is_of_order_one_if_it_is_duration_times_push() => Finds(
         new Own(Moves | EffectTraits.ReadsTime, (now, _) => Math.Sin(now.Time) * Y),
-        "^Over is the integral of At to order 1 only: it is off by [0-9.]+ % of the largest push in 0.1 s, and Exact is of order 1 at most; take the push in the middle");
+        "^Over is the integral of At to order 1 only: its error is [0-9.]+ % of the largest push in 0.1 s, and Exact is of order 1 at most; take the push in the middle");
 
     [Test]
     public void Sum_in_which_one_reads_a_velocity_is_an_approximation_though_its_parts_are_exact()
@@ -94,12 +94,12 @@ public sealed class EffectCheckTests
             Moves | EffectTraits.ReadsTime,
             (now, _) => Math.Sin(now.Time) * Y,
             (now, h, _) => h * Math.Sin(now.IsHeld ? now.Time : now.Time + h / 2) * Y),
-        "^Hint: Over is the integral of At to order 2 only: it is off by 0.0[0-9]+ % of the largest push in 0.1 s, and Exact is of order 2 at most; an exact flow would lift that.$");
+        "^Hint: Over is the integral of At to order 2 only: its error is 0.0[0-9]+ % of the largest push in 0.1 s, and Exact is of order 2 at most; an exact flow would lift that.$");
 
     [Test]
     public void Impulse_that_does_not_go_back_is_found() => Finds(
         new Own(Moves, (_, _) => Y, (_, h, _) => Math.Abs(h) * Y),
-        "^Over a negative time is the integral of At to order 0 only: it is off by 200 % of the largest push in 0.1 s, and the way back is of order 0 at most");
+        "^Over a negative time is the integral of At to order 0 only: its error is 200 % of the largest push in 0.1 s, and the way back is of order 0 at most");
 
     [TestCase(false, 1)]
     [TestCase(true, 0)]
@@ -112,25 +112,25 @@ public sealed class EffectCheckTests
             (_, h, body) => -Pushes.Mass.Mass * (comesBack ? h / (1 + h / 2) : h - h * h / 2) * body.Velocity);
 
         IEnumerable<string> found = EffectCheck.Findings(drag).Where(finding => finding.Contains("does not take back"));
-        Assert.That(found, Has.Exactly(hints).Matches("^Hint: Over by −h does not take back what Over by h gave: it is off by 0.[0-9]+ % of the largest push in 0.1 s, and Exact4 and Exact6 are of order 2 at most;"));
+        Assert.That(found, Has.Exactly(hints).Matches("^Hint: Over by −h does not take back what Over by h gave: its error is 0.[0-9]+ % of the largest push in 0.1 s, and Exact4 and Exact6 are of order 2 at most;"));
         Assert.That(EffectCheck.Findings(default(MomentumDrag)).Concat(EffectCheck.Findings(new Lift(0.7))), Has.None.Contains("does not take back"));
     }
 
     [Test]
     public void Impulse_in_which_time_passes_that_should_stand_still_is_found() => Finds(
         new Restless(Swinging),
-        "^Over while Instant.IsHeld is the integral of At to order 1 only: it is off by [0-9.]+ % of the largest push in 0.1 s, and Exact4 and Exact6 are of order 1 at most");
+        "^Over while Instant.IsHeld is the integral of At to order 1 only: its error is [0-9.]+ % of the largest push in 0.1 s, and Exact4 and Exact6 are of order 1 at most");
 
     [TestCase(true, false, "At")]
     [TestCase(false, true, "Over")]
     public void Push_that_overwrites_what_is_there_is_found(bool at, bool over, string which) => Finds(
         new Overwriting(at, over),
-        $"^{which} does not add to what other effects have given: where there was some it is off by [0-9.]+ % of the largest push; write \\+= and -=, never =.$");
+        $"^{which} does not add to what other effects have given: where there was some its error is [0-9.]+ % of the largest push; write \\+= and -=, never =.$");
 
     [Test]
     public void Drag_that_does_not_look_at_the_impulse_that_comes_in_is_found() => Finds(
         default(DeafDrag),
-        "^Over reads a velocity, not what the impulse that comes in has made of it, and is off by [0-9.]+ % of the largest push: the body now moves as impulse.AppliedTo\\(body, mass\\).$");
+        "^Over reads a velocity, not what the impulse that comes in has made of it, and its error is [0-9.]+ % of the largest push: the body now moves as impulse.AppliedTo\\(body, mass\\).$");
 
     [Test]
     public void Half_that_does_not_look_at_the_impulse_is_found_beside_a_half_that_does() => Assert.That(

@@ -84,7 +84,7 @@ public sealed class ExplanationTests
         BodyDescription body = new("stone", Solids.Sphere(1, 1));
         Assert.That(Parts(body), Is.EqualTo(new[] { "rest" }));
         string text = new Explanation(new Simulation(TimeSteps.Every(0.02), body).Bodies[0]).ToString();
-        Assert.That(text, Does.Contain("rotation (it starts without spin and nothing turns it)"));
+        Assert.That(text, Does.Contain("rotation (it starts without angular velocity and no torque acts)"));
         Assert.That(text, Does.Contain("translation (it starts at rest and nothing moves it)"));
     }
 
