@@ -2,7 +2,7 @@ using System.Collections.Generic;
 
 namespace RigidBodyDynamics.BitHash
 {
-    /// <summary>The bodies that are hard to follow, by every rule, in short steps and in long ones.</summary>
+    /// <summary>The bodies that are hard to follow, by every integrator, with short steps and with long ones.</summary>
     internal static class HardBodies
     {
         private const int StepsEach = 20;
@@ -23,7 +23,7 @@ namespace RigidBodyDynamics.BitHash
                         }
                         catch (StateOverflowException lost)
                         {
-                            // an unstable rule has run away: everywhere in the same step
+                            // an unstable integration has diverged: on every runtime in the same step
                             hash.Add((double)lost.Step);
                         }
                     }
@@ -39,7 +39,7 @@ namespace RigidBodyDynamics.BitHash
                 hash.Add(simulation.Bodies[0].State);
             }
 
-            // seldom looked at, and gone on with from a saved state
+            // read rarely, and continued from a saved state
             SavedSimulation saved = simulation.Save();
             simulation.Step(10);
             simulation.Restore(saved);

@@ -1,6 +1,6 @@
 namespace RigidBodyDynamics.BitHash
 {
-    /// <summary>Bodies that come, go, are pushed, set and changed while others run, by every rule.</summary>
+    /// <summary>Bodies that are added, removed, pushed, set and changed while others run, by every integrator.</summary>
     internal static class Lives
     {
         public static void Add(ref StateHash hash)

@@ -3,7 +3,7 @@ using System;
 
 namespace RigidBodyDynamics.BitHash
 {
-    /// <summary>Bodies that are stepped together beside the same bodies one by one, by every rule: what lanes and threads do on this runtime.</summary>
+    /// <summary>Bodies that are stepped together beside the same bodies one by one, by every integrator: the work of lanes and threads on this runtime.</summary>
     internal static class TogetherAndAlone
     {
         private const int Bodies = 37;

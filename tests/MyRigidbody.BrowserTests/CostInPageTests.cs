@@ -31,7 +31,7 @@ public sealed class CostInPageTests : LabPageFixture
         Dictionary<string, double> errors = Column(1), times = Column(2);
         Assert.That(errors.Keys, Is.EqualTo(Rules.All.Select(rule => rule.Name)));
         Assert.That(times.Values, Is.All.GreaterThan(0));
-        // what this page is there to show: the lab's rule turns a free body wrong, and Exact does not, for a few times the time
+        // the purpose of this page: the lab's integrator rotates a free body wrongly, and Exact does not, for a few times the cost
         Assert.That(errors["LabEuler"], Is.GreaterThan(0.1));
         Assert.That(errors["Exact"], Is.LessThan(1e-12)); // measured 3.1e-14
         Assert.That(times["Exact"], Is.LessThan(20 * times["LabEuler"]));

@@ -34,7 +34,7 @@ public sealed class CostPageTests : BrowserFixture
         Assert.That(answer, best == null ? Does.Contain("none of these") : Does.Contain($": {best} in steps of "));
     }
 
-    /// <summary>By cost.csv: of the rules below an error, the first that costs as little as any, within the clock's doubt.</summary>
+    /// <summary>By cost.csv: of the integrators below an error, the first whose cost equals the least, within the uncertainty of the clock.</summary>
     private string? Cheapest(double error)
     {
         (string Rule, double Error, double Cost)[] below = [.. File.ReadLines(_folder.File("out/cost.csv")).Skip(1)

@@ -52,7 +52,7 @@ internal sealed class LabSite : IDisposable
         new Thread(() => Serve(listener)) { IsBackground = true }.Start();
     }
 
-    /// <summary>Nobody answers any longer.</summary>
+    /// <summary>The server no longer answers.</summary>
     public void Stop() => _listener.Close();
 
     /// <inheritdoc/>

@@ -73,7 +73,7 @@ public sealed class LinkTests : LabPageFixture
         Browser.Visit(Site.Address, Ready);
         Browser.Do($"lab.set({{ scene: 'mine', sceneText: {Quoted(Mine)} }})");
         Assert.That(Browser.Becomes("document.getElementById('scene').value === 'mine'"), Is.True);
-        // somebody has lost a part of it
+        // a part of the link is missing
         Browser.Do("lab.state.sceneText = '{ \"schema\": \"rigid-body-scene/1\" }'");
         string link = Copied();
 
@@ -86,7 +86,7 @@ public sealed class LinkTests : LabPageFixture
     public void A_script_that_is_too_long_is_left_out_and_that_is_said()
     {
         Browser.Visit(Site.Address, Ready);
-        // letters that nobody can make shorter
+        // letters that cannot be compressed
         Browser.Do("lab.state.script = { name: 'MyRigidbody.cs', text: Array.from({ length: 20000 }, (_, i) => String.fromCharCode(33 + Math.imul(i * i + 1, 2654435761) / 7e5 % 90)).join('') }");
         string link = Copied();
 

@@ -117,7 +117,7 @@ public sealed partial class WritePageTests : LabPageFixture
         Assert.That(Lamps(), Is.EqualTo(new[] { "right", "missing", "missing", "missing", "missing" }));
     }
 
-    // in one frame, in which nobody looks at what it holds but the runtime
+    // in one frame, so that only the runtime can see how much it holds
     [Test]
     public void A_script_that_takes_memory_without_end_is_named_and_the_page_goes_on()
     {

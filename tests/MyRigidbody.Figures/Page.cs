@@ -36,7 +36,7 @@ internal static partial class Page
                 foreach ((string here, string there) in page.Zip(now).Where(cells => cells.First != cells.Second))
                 {
                     double ratio = Time(here) / Time(there);
-                    // a cell that says a rule and a step besides may say another one that costs the same
+                    // a cell that names an integrator and a step in addition may name another one of equal cost
                     if (!(ratio / speed < Noise && speed / ratio < Noise))
                         yield return string.Create(CultureInfo.InvariantCulture, $"{name}, {page[0]}: {here} on the page, {there} measured, in a run {1 / speed:0.00} times as slow");
                 }

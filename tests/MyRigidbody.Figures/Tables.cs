@@ -48,7 +48,7 @@ internal static class Tables
         return ["`" + rule.Name + "`", rule.Order.ToString(CultureInfo.InvariantCulture), Error(inGame.Error), Time(inGame.Nanoseconds), .. costs];
     }
 
-    /// <summary>The cheapest rule for every error, and how many times dearer RungeKutta4 is.</summary>
+    /// <summary>The cheapest integrator for every error, and the ratio of RungeKutta4's cost to its cost.</summary>
     private static string[] Motion(string name, Measured measured)
     {
         List<Trial> trials = [.. Trials(name, measured)];
@@ -71,7 +71,7 @@ internal static class Tables
         return Time(Number(line["nanosecondsPerBodyStep"]));
     }
 
-    /// <summary>µs per simulated second, of every rule and step.</summary>
+    /// <summary>µs per simulated second, of every integrator and step.</summary>
     private static IEnumerable<Trial> Trials(string scene, Measured measured) => measured.Cost.Where(line => line["scene"] == scene).Select(line => new Trial(
         line["integrator"], Number(line["step"]), Math.Max(Number(line["angleError"]), Number(line["positionError"])),
         Number(line["nanosecondsPerStep"]), 1e6 * Number(line["secondsPerSimulatedSecond"])));

@@ -2,7 +2,7 @@ using System.Text;
 
 namespace RigidBodyDynamics.Fuzz;
 
-/// <summary>What nobody writes by mistake: numbers, texts and values that readers stumble over.</summary>
+/// <summary>Input that is not written by mistake: numbers, texts and values that break readers.</summary>
 internal static class Hostile
 {
     /// <summary>Numbers, and what is almost a number.</summary>
@@ -41,7 +41,7 @@ internal static class Hostile
         [0xE2, 0x82], [0xEF, 0xBB, 0xBF], [0x1A], [0x0C], [0x0D], [0x85], [0xE2, 0x80, 0xA8], [0x7F],
     ];
 
-    /// <summary>Ways to write the text so that it is the same text for somebody else.</summary>
+    /// <summary>Ways to write the text so that another reader gets the same text.</summary>
     public static readonly Func<byte[], byte[]>[] Encodings =
     [
         json => Written(json, Encoding.Unicode), json => Written(json, Encoding.BigEndianUnicode), json => Written(json, Encoding.UTF32), json => Written(json, Encoding.UTF8),

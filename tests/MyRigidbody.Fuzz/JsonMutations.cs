@@ -67,7 +67,7 @@ internal sealed class JsonMutations
             case 16:
                 return Put(json, node.Start, node.End, [.. Text("{\"force\": "), .. value, .. Text("}")]);
             case 17:
-                // a list that is much longer than anybody wrote it
+                // a list that is much longer than any in use
                 int times = 1 + random.Next(whole.Length < 100 ? 1000 : 20);
                 byte[] more = [.. whole, (byte)','];
                 return Put(json, first, first, [.. Enumerable.Repeat(more, times).SelectMany(bytes => bytes)]);

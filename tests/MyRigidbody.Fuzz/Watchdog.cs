@@ -2,7 +2,7 @@ using System.Diagnostics;
 
 namespace RigidBodyDynamics.Fuzz;
 
-/// <summary>Ends the program when an input takes too long, since nobody else would know which it was.</summary>
+/// <summary>Ends the program when an input takes too long, and names it.</summary>
 internal sealed class Watchdog : IDisposable
 {
     private readonly Stopwatch _clock = Stopwatch.StartNew();
@@ -10,7 +10,7 @@ internal sealed class Watchdog : IDisposable
     private readonly Action _bark;
     private readonly Timer _timer;
 
-    /// <summary>Looks from time to time.</summary>
+    /// <summary>Checks from time to time.</summary>
     /// <param name="longest">How long an input may take.</param>
     /// <param name="bark">What to do if one takes longer.</param>
     public Watchdog(TimeSpan longest, Action bark)

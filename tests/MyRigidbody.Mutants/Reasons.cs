@@ -22,7 +22,7 @@ internal sealed class Reasons
     /// <summary>True if a reason says that the mutant does the same as the original.</summary>
     public bool IsSame(Mutant mutant) => Find(mutant)?.Same == true;
 
-    /// <summary>The first reason that fits; nothing if nobody has looked yet.</summary>
+    /// <summary>The first reason that fits; none if the survivor has not been examined yet.</summary>
     public string? For(Mutant mutant) => Find(mutant)?.Because;
 
     private Reason? Find(Mutant mutant)

@@ -85,7 +85,7 @@ namespace RigidBodyDynamics.StepTimes
                 bool isFree = description.Effects.Count == 0, isFine = body.State.IsFinite;
                 double e = isFree ? Math.Abs(body.KineticEnergy / energy - 1) : 0;
                 double l = isFree && length > 0 ? Math.Abs(body.AngularMomentum.Length / length - 1) : 0;
-                // a needle turns at 1000 rad/s, and its ω in world axes rounds by that: 1e-13 of what is across
+                // a needle rotates at 1000 rad/s, and its ω in world axes is rounded accordingly: 1e-13 across the axis
                 isFine &= e < 1e-11 && l < 1e-11;
                 holds &= isFine;
                 string kept = isFree ? string.Format(CultureInfo.InvariantCulture, "{0,10:0.0e+0}{1,10:0.0e+0}", e, l) : "    finite";

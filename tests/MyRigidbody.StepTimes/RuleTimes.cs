@@ -7,7 +7,7 @@ using System.Linq;
 namespace RigidBodyDynamics.StepTimes
 {
     /// <summary>
-    /// One body by every rule, for <c>bench</c>, which runs this program on Mono and on CoreCLR: lines of a name and the
+    /// One body by every integrator, for <c>bench</c>, which runs this program on Mono and on CoreCLR: lines of a name and the
     /// nanoseconds of a step, the least of many short runs in turn. Bodies and names are those of bench.csv.
     /// </summary>
     internal static class RuleTimes

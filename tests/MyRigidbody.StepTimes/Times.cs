@@ -5,7 +5,7 @@ using System.Globalization;
 
 namespace RigidBodyDynamics.StepTimes
 {
-    /// <summary>Nanoseconds a step: the least of many short runs, all rows in turn, so that a noisy machine is noisy to all.</summary>
+    /// <summary>Nanoseconds a step: the shortest of many short runs, all rows alternately, so that noise affects all of them alike.</summary>
     internal static class Times
     {
         private const int Turns = 400, StepsAlone = 1000, Many = 1000, StepsOfMany = 10;
@@ -28,7 +28,7 @@ namespace RigidBodyDynamics.StepTimes
             Print(Many + " bodies", many);
 
             Console.WriteLine();
-            // LabEuler leaves out I = R I_ref Rᵀ where nothing turns the body; under a torque it computes all five formulas
+            // LabEuler omits I = R I_ref Rᵀ where no torque acts; under a torque it computes all five formulas
             Compare("Exact, free, against the lab's five formulas, one body", alone[0, 3] / alone[3, 0]);
             Compare("Exact, free, against the lab's five formulas, " + Many + " bodies", many[0, 3] / many[3, 0]);
             Compare("Exact, free, against the lab's step of the same free body, one body", alone[0, 3] / alone[0, 0]);

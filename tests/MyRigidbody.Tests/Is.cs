@@ -2,7 +2,7 @@ using NUnit.Framework.Constraints;
 
 namespace RigidBodyDynamics.Tests;
 
-/// <summary>NUnit's, but for one thing: there NaN is less than any bound, and a rule that breaks would pass.</summary>
+/// <summary>NUnit's, with one difference: there NaN is less than any bound, and a failing integrator would pass.</summary>
 internal abstract class Is : NUnit.Framework.Is
 {
     /// <summary>Less, and a number.</summary>

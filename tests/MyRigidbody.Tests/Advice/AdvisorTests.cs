@@ -18,7 +18,7 @@ public sealed class AdvisorTests
         BodyDescription body = Ball();
         body.Rule = advice.Best.Rule;
         BodyState end = Scenery.Run(steps, body, steps.Count);
-        // 2 s of fall from rest, and a turn of 2 s about z
+        // 2 s of fall from rest, and a rotation for 2 s about z
         double distance = (end.Position - 2 * Down).Length;
         double angle = Conserved.AngleBetween(end.Orientation, Quaterniond.FromAxisAngle(new Vector3d(0, 0, 1), 2));
 
@@ -57,7 +57,7 @@ public sealed class AdvisorTests
         Assert.That(largest, Is.LessThanOrEqualTo(advice.Best.Error + advice.Truth.Uncertainty + 1e-12));
     }
 
-    // after 20 s it is where it was, and whoever does not move at all is right then
+    // after 20 s it is where it was, so an integrator that does not move it at all is right at that time
     [Test]
     public void Step_into_which_a_swing_fits_is_looked_into()
     {

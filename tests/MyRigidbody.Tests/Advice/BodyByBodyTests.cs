@@ -17,7 +17,7 @@ public sealed class BodyByBodyTests
         Advice forAll = Advisor.Choose(scene, Error);
         BodyByBody found = BodyByBody.Of(scene, forAll, Error);
 
-        // nothing pushes the slab, so a rule that is exact then has no need of steps shorter than the whole scene
+        // the slab has no pushes, so an integrator that is exact then needs no steps shorter than the whole scene
         Trial[] own = [.. found.Own.Select(advice => advice.Best)];
         Assert.That(found.Reached, Is.True);
         Assert.That(own[0].Rule.Name, Does.StartWith("Exact").And.Not.Contain("Gyroscopic").And.Not.Contain("Euler"));
@@ -27,7 +27,7 @@ public sealed class BodyByBodyTests
         Assert.That(AngleApart(top, own[1].Rule.Name, own[1].Step), Is.LessThan(Error)); // measured 7.0e-7
         Assert.That(AngleApart(top, own[1].Rule.Name, own[0].Step), Is.GreaterThan(100 * Error));
 
-        // in one scene the slab follows the top's step, and both have a rule of their own
+        // in one scene the slab takes the top's step, and both have their own integrators
         Assert.That(found.OneStep.Select(trial => trial.Step), Is.All.EqualTo(own[1].Step));
         Assert.That(AngleApart(slab, found.OneStep[0].Rule.Name, found.OneStep[0].Step), Is.LessThan(Error)); // measured 2.3e-14
         Assert.That(found.OneStep[1], Is.SameAs(own[1]));

@@ -3,7 +3,7 @@ using RigidBodyDynamics.Lab.Commands;
 
 namespace RigidBodyDynamics.Tests;
 
-/// <summary>What was promised of a scene file, held against <see cref="IndependentMotion"/>: the run of the rule and step that were named.</summary>
+/// <summary>The advice for a scene file, compared with <see cref="IndependentMotion"/>: the run of the advised integrator and step.</summary>
 /// <param name="Error">The largest angle (rad) or distance (m) at the end of a step, and at places between where a shorter step leads.</param>
 /// <param name="Still">How far two independent motions in different steps are apart at the same times: the error is known to this.</param>
 internal sealed record Promise(double Error, double Still)

@@ -31,7 +31,7 @@ public sealed class PromiseTests
         Assert.That(found.Still, Is.LessThan(Math.Max(1e-11, 0.01 * choice.Error)), "the independent motion must stand still");
     }
 
-    // a swing, a turn of a body whose centre of mass is off its origin, and a push that begins, by closed forms
+    // an oscillation, a rotation of a body whose centre of mass is not at its origin, and a push that begins, by closed forms
     [Test]
     public void Independent_motion_is_that_of_the_closed_forms()
     {

@@ -2,7 +2,7 @@ using System.Globalization;
 
 namespace RigidBodyDynamics.Tests;
 
-/// <summary>A scene as anybody may write it, and an error that is asked for; all of it follows from a number.</summary>
+/// <summary>A random scene, and an error bound; all of it follows from a number.</summary>
 /// <remarks>
 /// Twelve kinds in turn: springs in time with whole seconds, springs on an arm, windows on decimal, frame and odd times, throws with drag,
 /// stiff springs with damping, heavy tops, torques in world and body axes, free tops, two bodies at once, the lab's keys with its factor per

@@ -3,7 +3,7 @@ using RigidBodyDynamics.Lab;
 
 namespace RigidBodyDynamics.Tests;
 
-/// <summary>The motion that rules are compared with is the true one, and knows how true.</summary>
+/// <summary>The motion with which integrators are compared is the true one, and its uncertainty is known.</summary>
 public sealed class TruthTests
 {
     private static readonly Vector3d Down = new(0, -9.81, 0);
@@ -67,7 +67,7 @@ public sealed class TruthTests
     [Test]
     public void Body_whose_centre_of_mass_is_off_its_origin_is_known_between_its_states()
     {
-        // it turns about its centre of mass, which stays where it is
+        // it rotates about its centre of mass, which stays where it is
         Vector3d offset = new(0.3, 0, 0), spin = new(0, 0, 2);
         BodyDescription body = new("off", Solids.Sphere(1, 0.5).WithCenterOfMass(offset)) { Start = new BodyState(-1 * offset, Quaterniond.Identity, Vector3d.Zero, spin) };
         Truth truth = Truth.Of(SceneOf(3, body));
@@ -84,7 +84,7 @@ public sealed class TruthTests
     [Test]
     public void Floor_shows_how_much_the_start_must_be_known()
     {
-        // an unstable balance: what x is off 1 m, x'' = 100 (x − 1), grows by e^40 in 4 s; a ball in free flight keeps its place
+        // an unstable balance: the difference of x from 1 m, x'' = 100 (x − 1), grows by e^40 in 4 s; a ball in free flight keeps its place
         BodyState start = new(new Vector3d(1, 0, 0), Quaterniond.Identity, Vector3d.Zero, Vector3d.Zero);
         BodyDescription unstable = Ball(start).With(new Repulsion(100)).With(new Force(new Vector3d(-100, 0, 0)));
 

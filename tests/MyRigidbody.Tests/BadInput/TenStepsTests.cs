@@ -2,7 +2,7 @@ using NUnit.Framework;
 
 namespace RigidBodyDynamics.Tests;
 
-/// <summary>Effects, settings and starts that are accepted with an extreme value, ten steps later, by every rule.</summary>
+/// <summary>Effects, settings and starts that are accepted with an extreme value, ten steps later, by every integrator.</summary>
 public sealed class TenStepsTests
 {
     private const double Huge = 1e12, Tiny = 5e-324;
@@ -42,7 +42,7 @@ public sealed class TenStepsTests
         ("no factor", body => body.With(default(DecayPerStep))),
     ];
 
-    // no rule that looks at a force only now and then can follow it: what runs away is reported where it is run
+    // no integrator that evaluates a force at a few instants can follow it: divergence is reported when it runs
     private static readonly string[] RunAway = ["huge stiffness", "huge quadratic drag", "huge linear damping", "huge angular damping"];
 
     [Test]

@@ -1,6 +1,6 @@
 namespace RigidBodyDynamics.Tests;
 
-/// <summary>For every type that an entry of the library takes: a sound value, and values that nobody should pass.</summary>
+/// <summary>For every type that an entry of the library takes: a sound value, and invalid values.</summary>
 internal static class Values
 {
     private static readonly double[] Numbers =
@@ -54,7 +54,7 @@ internal static class Values
         };
     }
 
-    /// <summary>Values that nobody should pass.</summary>
+    /// <summary>Invalid values.</summary>
     public static IEnumerable<object?> Hostile(Type type)
     {
         if (!type.IsValueType)

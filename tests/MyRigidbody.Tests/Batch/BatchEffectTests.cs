@@ -16,7 +16,7 @@ public sealed class BatchEffectTests
             .With(Torque.Constant(new Vector3d(0.1, 0, 0)), 0, 0.3).With(new AtTime(throws, 0.5));
         Simulation simulation = new(Steps, body);
         BrokenEffectException alone = Assert.Throws<BrokenEffectException>(() => simulation.Step(100))!;
-        // rules that ask at the end of a step too are stopped by the one before
+        // integrators that also evaluate at the end of a step fail one step earlier
         long step = simulation.StepsDone;
         Assert.That(step, Is.InRange(24, 25));
         BodyState[] starts = Crowding.Starts(1300, 1, body), states = new BodyState[1300];
@@ -30,7 +30,7 @@ public sealed class BatchEffectTests
             Assert.That((broken.Body, broken.Number, broken.Time, broken.Reason), Is.EqualTo(("b", 0, alone.Time, alone.Reason)));
             Assert.That((broken.Effect, broken.Entry, broken.InnerException?.Message), Is.EqualTo((alone.Effect, alone.Entry, alone.InnerException?.Message)));
             Assert.That(broken.Message, Is.EqualTo(alone.Message.Replace("body \"b\":", "body \"b\" 0:")));
-            // what throws stops at once; a NaN is seen where the bodies are looked at, and then all go back to where the call began
+            // an exception stops at once; a NaN is found when states are tested, and then all go back to where the call began
             Assert.That(batch.StepsDone, Is.EqualTo(throws || count >= 64 ? step : 63 / count * count));
             if (!throws && count < 64)
                 continue;

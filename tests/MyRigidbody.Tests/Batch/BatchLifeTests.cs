@@ -2,7 +2,7 @@ using NUnit.Framework;
 
 namespace RigidBodyDynamics.Tests;
 
-/// <summary>Bodies come and go and are looked at in any order, and none notices the others.</summary>
+/// <summary>Bodies are added, removed and read in any order, without effect on the others.</summary>
 public sealed class BatchLifeTests
 {
     // sums of this length are exact, so that time may begin anywhere

@@ -9,7 +9,7 @@ public sealed class BatchOverflowTests
     private static readonly double Largest = Math.Sqrt(double.MaxValue);
     private static readonly string[] RuleNames = [.. Rules.All.Select(rule => rule.Name)];
     private static readonly TimeSteps Steps = TimeSteps.Every(0.02);
-    // under a constant force alone bodies coast, and are not looked at
+    // under a constant force alone bodies coast, and their states are not tested
     private static readonly Torque Awake = Torque.Constant(new Vector3d(1e-3, 0, 0));
 
     [TestCaseSource(nameof(RuleNames))]
@@ -47,7 +47,7 @@ public sealed class BatchOverflowTests
     [TestCase("LabEuler", 0.3)]
     public void Step_is_that_in_which_the_square_of_the_velocity_outgrows_a_double(string rule, double strength)
     {
-        // v' = k v: each rule multiplies v by its own function of z = k h in every step
+        // v' = k v: each integrator multiplies v by its own function of z = k h in every step
         double z = 30 * strength * 0.02, growth = rule switch
         {
             "LabEuler" => 1 + z,

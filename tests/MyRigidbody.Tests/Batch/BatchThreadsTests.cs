@@ -19,7 +19,7 @@ public sealed class BatchThreadsTests
     [OneTimeTearDown]
     public static void Narrow_it_again() => ThreadPool.SetMinThreads(_workers, _ports);
 
-    // in lanes an effect that reads no state is asked once a step for all bodies of a part, by other rules for each body
+    // in lanes an effect that reads no state is evaluated once a step for all bodies of a part, by other integrators for each body
     [TestCase("LabEuler", 5)]
     [TestCase("Exact", 5)]
     [TestCase("RungeKutta4", 1000)]

@@ -2,7 +2,7 @@ using NUnit.Framework;
 
 namespace RigidBodyDynamics.Tests.CommandLine;
 
-/// <summary>What breaks while a scene runs: one line that names file and place, one exit code whatever is written when, no infinity in a table.</summary>
+/// <summary>Failures while a scene runs: one line that names file and place, one exit code, no infinity in a table.</summary>
 public sealed class BreakdownTests
 {
     private static readonly string[][] Ways = [["run"], ["run", "--every", "0"], ["run", "--every", "7"], ["run", "--every", "1000"], ["compare"]];

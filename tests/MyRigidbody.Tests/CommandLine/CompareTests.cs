@@ -98,7 +98,7 @@ public sealed class CompareTests
         Assert.That(lab.Error, Does.StartWith("error: ").And.Contain("tolerance"));
     }
 
-    // v = 0.1, then 0.98 · 0.1 + 0.1 m/s; the row's q has the other sign, and its velocities are not those of any rule
+    // v = 0.1, then 0.98 · 0.1 + 0.1 m/s; the row's q has the other sign, and its velocities are those of no integrator
     [Test]
     public void A_recorded_script_is_measured_by_its_poses_against_the_labs_rule()
     {

@@ -27,7 +27,7 @@ internal sealed record LabProcess(int ExitCode, string Output, string Error)
             start.ArgumentList.Add(argument);
         }
 
-        // whoever runs the tests may read Chinese
+        // the locale of the machine may be Chinese
         start.Environment["LC_ALL"] = "C";
         foreach ((string name, string value) in environment)
         {

@@ -19,7 +19,7 @@ public sealed class MemoryTests
         Scene("steps: take about 0.75", 0.5e9, 5_000_000, Body(0, string.Empty)),
         Scene("compare takes at most 100 pairs, found 101", 8e9, 2, [.. Enumerable.Range(0, 101).Select(i => Body(i, string.Empty))]),
         Scene("name: must have at most 1000 characters, found 1001", 8e9, 2, Body(0, string.Empty).Replace("\"0\"", $"\"{new string('x', 1001)}\"")),
-        // pictures and the page; how much that is depends on the fonts and nobody estimates it
+        // pictures and the page; their memory depends on the fonts and is not estimated
         Scene("out of memory: there are 24 MB", 24e6, 5000, [.. Enumerable.Range(0, 20).Select(i => Body(i, """{ "key": "UpArrow" }"""))]),
     ];
 

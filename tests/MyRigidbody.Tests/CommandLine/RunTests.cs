@@ -93,7 +93,7 @@ public sealed class RunTests
         string[] mine = lab.Output.Split('\n')[1].Split(',');
         Assert.That(mine[1], Is.EqualTo("1000"));
         Assert.That(double.Parse(mine[2], CultureInfo.InvariantCulture), Is.EqualTo(10).Within(1e-14)); // measured 0
-        // both bodies now move by the same rule and differ in inertia and damping alone; neither sleeps
+        // both bodies now move by the same integrator and differ only in inertia and damping; neither sleeps
         Assert.That(lab.Output.Split('\n')[2], Does.EndWith(",0"));
     }
 

@@ -71,7 +71,7 @@ public sealed class RuleSharesTests
             sum += mine.Turned(0).Length;
         }
 
-        // twice of what mine has turned is missing to three times; first-order orientation is off by 1e-5 of it at most
+        // twice mine's turn is missing to three times; the error of first-order orientation is at most 1e-5 of it
         Assert.That(inertia.Turn, Is.EqualTo(2 * sum / 25).Within(1e-5 * sum)); // measured 1.0e-6 of sum
     }
 

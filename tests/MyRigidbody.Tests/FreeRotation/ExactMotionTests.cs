@@ -2,7 +2,7 @@ using NUnit.Framework;
 
 namespace RigidBodyDynamics.Tests;
 
-/// <summary>Bodies that nothing turns, in steps of 1/50 s, against solutions to 20 digits.</summary>
+/// <summary>Free bodies, with steps of 1/50 s, against solutions to 20 digits.</summary>
 public sealed class ExactMotionTests
 {
     private const double Step = 0.02;

@@ -2,7 +2,7 @@ using NUnit.Framework;
 
 namespace RigidBodyDynamics.Tests;
 
-/// <summary>q and −q are the same turn; of the two a motion shows the one to which q has come without a jump.</summary>
+/// <summary>q and −q are the same rotation; a motion shows the one that q has reached without a jump.</summary>
 public sealed class OneSheetTests
 {
     private static readonly Dictionary<string, (Vector3d Moments, Vector3d Spin)> Bodies = new()
@@ -60,7 +60,7 @@ public sealed class OneSheetTests
         Assert.That(worst, Is.GreaterThan(0.9)); // measured 0.985
     }
 
-    // short ones and long ones, in which the body turns many times over; in lanes and one by one
+    // short steps and long ones with many revolutions; in lanes and one by one
     [TestCaseSource(nameof(Names))]
     public void Steps_of_any_length_come_to_the_sheet_of_the_closed_form(string name)
     {

@@ -2,7 +2,7 @@ using NUnit.Framework;
 
 namespace RigidBodyDynamics.Tests;
 
-/// <summary>The turn of a step that is short enough for series, against the motion in twice the digits.</summary>
+/// <summary>The rotation of a step that is short enough for series, against the motion in twice the digits.</summary>
 public sealed class ShortTurnTests
 {
     // moments and ω: a top, one near its unstable axis, a plate, a rod, and one whose momentum hardly swings while it spins fast
@@ -15,7 +15,7 @@ public sealed class ShortTurnTests
         (new(1, 2, 3), new(1e-3, 1e-3, 2)),
     ];
 
-    // half the length of the longest short turn, just below that, just above, and twice as long
+    // half the length of the longest short rotation, just below that, just above, and twice as long
     [TestCase(0.5)]
     [TestCase(0.999)]
     [TestCase(1.001)]
@@ -63,7 +63,7 @@ public sealed class ShortTurnTests
         Assert.That(most, Is.InRange(0.999, 1 + 1e-12)); // measured 1 - 2e-8
     }
 
-    // the longest step, s, whose turn is short: by the angle between M and M₊, or by ψ
+    // the longest step, s, whose rotation is short: by the angle between M and M₊, or by ψ
     private static double Longest(Vector3d moments, Vector3d spin)
     {
         TopShape shape = new(moments, Quaterniond.Identity);

@@ -2,7 +2,7 @@ using NUnit.Framework;
 
 namespace RigidBodyDynamics.Tests;
 
-/// <summary>Turns kept as r − 1.</summary>
+/// <summary>Rotations stored as r − 1.</summary>
 public sealed class SmallTurnTests
 {
     [Test]

@@ -34,7 +34,7 @@ public sealed class TurnedStartTests
         double Any() => 2 * random.NextDouble() - 1;
     }
 
-    // beside the unstable axis a rounding of ω would turn the slab over at another time: by world axes 0.65 s late
+    // beside the unstable axis a rounding of ω would make the slab flip at another time: in world axes 0.65 s late
     [TestCase(1e-3)]
     [TestCase(1e-8)]
     [TestCase(1e-15)]
@@ -96,7 +96,7 @@ public sealed class TurnedStartTests
         AngularVelocityInBody = inBody,
     };
 
-    /// <summary>The turn and what it makes of a vector, by its matrix, in 28 decimals.</summary>
+    /// <summary>The rotation, applied to a vector by its matrix, in 28 decimals.</summary>
     private static BodyState InDecimals(Quaterniond q, Vector3d v)
     {
         decimal a = Exactly(q.W), b = Exactly(q.X), c = Exactly(q.Y), d = Exactly(q.Z), x = Exactly(v.X), y = Exactly(v.Y), z = Exactly(v.Z);

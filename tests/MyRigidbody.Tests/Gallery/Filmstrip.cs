@@ -15,10 +15,10 @@ internal sealed class Filmstrip
     private const double Smallest = 0.24;
     private static readonly string[] Colors = ["#1f5fa8", "#c8550a"];
 
-    // the corners of each side of a box, in the order that turns about its outward normal
+    // the corners of each side of a box, in the order around its outward normal
     private static readonly int[][] Sides = [[0, 4, 6, 2], [1, 3, 7, 5], [0, 1, 5, 4], [2, 6, 7, 3], [0, 2, 3, 1], [4, 5, 7, 6]];
 
-    // looked at from the front, a little from the right and above; Unity's z points away from the eye
+    // the camera: from the front, a little from the right and above; Unity's z points away from it
     private static readonly (double Sin, double Cos) Turn = (0.38, 0.925), Tilt = (0.3, 0.954);
     private readonly List<Body> _bodies = [];
     private readonly List<double> _times = [];

@@ -5,7 +5,7 @@ using RigidBodyDynamics.Lab.Grading.Reading;
 
 namespace RigidBodyDynamics.Tests.Grading;
 
-/// <summary>Packages and archives as students make them, and as nobody should.</summary>
+/// <summary>Packages and archives of students, and hostile ones.</summary>
 internal static class Archives
 {
     /// <summary>A script that says what it is.</summary>

@@ -6,7 +6,7 @@ using RigidBodyDynamics.StudentScripts;
 
 namespace RigidBodyDynamics.Tests.Grading;
 
-/// <summary>Who somebody is, from what people write on files and lists.</summary>
+/// <summary>Students, from the names on files and lists.</summary>
 public sealed class StudentNameTests
 {
     [TestCase("210840007_学生一.unitypackage", "210840007", "学生一", true)]

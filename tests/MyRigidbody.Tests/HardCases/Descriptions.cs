@@ -16,7 +16,7 @@ internal static class Descriptions
     /// <summary>The same with its axes in every order and with a tilted frame.</summary>
     public static double InAnotherOrder(string integrator)
     {
-        // frames that take principal axes to body axes: two thirds of a turn about (1, 1, 1), quarters about one axis
+        // frames that take principal axes to body axes: two thirds of half a revolution about (1, 1, 1), quarters about one axis
         double r = Math.Sqrt(0.5);
         (Vector3d Moments, Quaterniond Frame)[] orders =
         [

@@ -1,22 +1,22 @@
 namespace RigidBodyDynamics.Tests;
 
-/// <summary>A motion that breaks programs, the figure by which one sees it, and the bound that a good rule keeps.</summary>
+/// <summary>A motion that breaks programs, a number that shows it, and the bound that a good integrator keeps.</summary>
 /// <param name="Name">The claim, as the name of its test.</param>
 /// <param name="Figure">What is measured, with its unit.</param>
 /// <param name="Elsewhere">What other programs make of it; versions as measured.</param>
 /// <param name="Bound">Below this it has to stay.</param>
-/// <param name="Measure">The figure by a rule of the catalogue.</param>
+/// <param name="Measure">The number for an integrator of the catalogue.</param>
 internal sealed record HardCase(string Name, string Figure, string Elsewhere, double Bound, Func<string, double> Measure)
 {
     private readonly Dictionary<string, Lazy<double>> _measured = [];
 
-    /// <summary>The rules that keep the bound.</summary>
+    /// <summary>The integrators that keep the bound.</summary>
     public string[] Strong { get; init; } = ["Exact", "Exact4", "Exact6"];
 
-    /// <summary>A rule that does not: the same assertion has to fail with it.</summary>
+    /// <summary>An integrator that does not: the same assertion has to fail with it.</summary>
     public string Weak { get; init; } = "LabEuler";
 
-    /// <summary>The weak rule's figure is at least this.</summary>
+    /// <summary>The weak integrator's number is at least this.</summary>
     public double WeakFrom { get; init; }
 
     /// <summary>Measured once, however many tests and tables ask.</summary>

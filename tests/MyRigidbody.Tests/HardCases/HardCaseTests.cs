@@ -2,7 +2,7 @@ using NUnit.Framework;
 
 namespace RigidBodyDynamics.Tests;
 
-/// <summary>The motions that break other programs stay right, and the same assertions break with rules that are not.</summary>
+/// <summary>Motions that break other programs are right, and the same assertions fail for weak integrators.</summary>
 public sealed class HardCaseTests
 {
     private static IEnumerable<TestCaseData> Holds =>

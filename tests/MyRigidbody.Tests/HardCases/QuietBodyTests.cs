@@ -2,7 +2,7 @@ using NUnit.Framework;
 
 namespace RigidBodyDynamics.Tests;
 
-/// <summary>Bodies that rest or almost rest, and bodies that anything would carry off.</summary>
+/// <summary>Bodies at rest or almost at rest, and bodies that any disturbance would move.</summary>
 public sealed class QuietBodyTests
 {
     [TestCaseSource(typeof(Scenery), nameof(Scenery.Integrators))]

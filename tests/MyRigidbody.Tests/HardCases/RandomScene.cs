@@ -21,7 +21,7 @@ internal sealed record RandomScene(
             parts, unit, mass, frame.Item1, frame.Item2, start, turn, fall.Item1, fall.Item2, push));
 
     /// <summary>
-    /// How far a rule ends from an independent solution, in what both may be wrong: the change of the rule's own answer when
+    /// How far an integrator ends from an independent solution, in what both may be wrong: the change of the integrator's own answer when
     /// its step is halved, and that of Runge and Kutta at an eighth and a sixteenth of it, extrapolated.
     /// </summary>
     public double Off(string integrator)
@@ -32,7 +32,7 @@ internal sealed record RandomScene(
         return double.IsFinite(off) ? off : double.PositiveInfinity;
     }
 
-    /// <summary>True if a rule is farther off than a millionth: its own estimate would excuse what converges slowly.</summary>
+    /// <summary>True if the error of an integrator exceeds a millionth: its own estimate would excuse slow convergence.</summary>
     public bool OffByFixed(string integrator) => !(Apart(Run(integrator, 1), Run("RungeKutta4", 16)) < 1e-6);
 
     public BodyState Run(string integrator, int parts)
@@ -69,7 +69,7 @@ internal sealed record RandomScene(
         };
     }
 
-    /// <summary>Richardson: a rule of order 4 is 15 times less wrong beyond its last answer, less what it changed.</summary>
+    /// <summary>Richardson: the error of an integrator of order 4 is a fifteenth of the difference between its last two answers.</summary>
     private static BodyState Extrapolated(in BodyState coarse, in BodyState fine) => new(
         fine.Position + (fine.Position - coarse.Position) / 15,
         (fine.Orientation + 1.0 / 15 * (fine.Orientation + -1 * coarse.Orientation)).Normalized,

@@ -4,7 +4,7 @@ using NUnit.Framework;
 
 namespace RigidBodyDynamics.Tests;
 
-/// <summary>Ten thousand bodies nobody thought of. MYRIGIDBODY_SEED=7 tries others.</summary>
+/// <summary>Ten thousand random bodies. MYRIGIDBODY_SEED=7 tries others.</summary>
 public sealed class RandomSceneTests
 {
     private const int Count = 10_000;
@@ -33,7 +33,7 @@ public sealed class RandomSceneTests
         TestContext.Out.WriteLine(FormattableString.Invariant($"seed {Seed}: {Count} bodies, at most {worst:g2} of what both may be wrong"));
     }
 
-    // the same assertion on the lab's rule and on those of game engines: measured all, 96 % and 96 %
+    // the same assertion for the lab's integrator and those of game engines: measured all, 96 % and 96 %
     [TestCase("LabEuler")]
     [TestCase("ImplicitGyroscopic")]
     [TestCase("ExplicitGyroscopic")]

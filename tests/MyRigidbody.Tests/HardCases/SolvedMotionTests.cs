@@ -3,7 +3,7 @@ using NUnit.Framework;
 
 namespace RigidBodyDynamics.Tests;
 
-/// <summary>Every reference solution by every rule that can follow it, at every step: the bounds stand in a table of their own.</summary>
+/// <summary>Every reference solution by every integrator that can follow it, with every step: the bounds are in a table of their own.</summary>
 public sealed class SolvedMotionTests
 {
     private static readonly string[] Rules = ["Exact", "Exact, coasting", "Exact4", "Exact6", "Splitting", "RungeKutta4"];
@@ -18,7 +18,7 @@ public sealed class SolvedMotionTests
         Rules.Where(rule => !SolvedRun.IsFree(motion) || rule is not ("Exact4" or "Exact6"));
 
     /// <summary>
-    /// tests/data/hard-cases/solved-motions.csv: what each rule promises, beside what was measured when the promise was made.
+    /// tests/data/hard-cases/solved-motions.csv: what each integrator promises, beside what was measured when the promise was made.
     /// </summary>
     [TestCaseSource(nameof(Cases))]
     public void Solved_motion_stays_within_what_its_rule_promises(string motion, string rule)
@@ -45,7 +45,7 @@ public sealed class SolvedMotionTests
             Assert.That(Run(motion, "Exact", division).Floors, Is.LessThan(5), division);
             SolvedRun coasting = Run(motion, "Exact, coasting", division);
             Assert.That(coasting.Floors, Is.LessThan(5), division);
-            // the needle turns at 1000 rad/s, and its ω in world axes rounds by that: 1e-13 of what is across
+            // the needle rotates at 1000 rad/s, and its ω in world axes is rounded accordingly: 1e-13 across the axis
             Assert.That(coasting.Energy, Is.LessThan(motion == "needle" ? 3e-12 : 1e-14)); // measured 6.6e-13 and 2.8e-15
             Assert.That(coasting.Momentum, Is.LessThan(motion == "needle" ? 1e-11 : 2e-14)); // measured 2.3e-12 and 5.6e-15
         }
@@ -75,7 +75,7 @@ public sealed class SolvedMotionTests
         if (motion != "fall_quadratic_drag")
             Assert.That(exact4, Is.LessThanOrEqualTo(kutta + Rounding));
 
-        // where the spin stays along one axis, or almost, a rule that turns about ω exactly is right by luck
+        // where ω stays along one axis, or almost, an integrator that rotates about ω exactly is right by luck
         string[] byLuck = ["fast_spin", "intermediate_axis", "separatrix", "cube_sin_torque"];
         if (!byLuck.Contains(motion))
         {

@@ -2,14 +2,14 @@ using System.Collections.Concurrent;
 
 namespace RigidBodyDynamics.Tests;
 
-/// <summary>One solved motion by one rule in one division of time: how far from the truth it ever was.</summary>
+/// <summary>One solved motion by one integrator with one division of time: its largest error.</summary>
 /// <param name="Error">The larger of the angle, rad, and the distance, m; infinite if the run broke off.</param>
 /// <param name="Floors">The same in what the last bit of the inputs does (running maximum).</param>
 /// <param name="Energy">Kinetic energy against the true one, relative to its largest.</param>
 /// <param name="Momentum">The vector L against the true one, relative to its largest.</param>
 internal sealed record SolvedRun(double Error, double Floors, double Energy, double Momentum)
 {
-    /// <summary>All reference solutions of a body that a scene accepts; the lab's own discrete rule has tests of its own.</summary>
+    /// <summary>All reference solutions of a body that a scene accepts; the lab's own discrete integrator has tests of its own.</summary>
     public static IReadOnlyList<string> Motions { get; } =
     [
         "asym_moderate", "sym_top", "tiny", "dzhanibekov_1e-3", "dzhanibekov_1e-8", "intermediate_axis", "separatrix", "plate",

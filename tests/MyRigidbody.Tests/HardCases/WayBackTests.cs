@@ -2,7 +2,7 @@ using NUnit.Framework;
 
 namespace RigidBodyDynamics.Tests;
 
-/// <summary>With all velocities reversed a motion goes back the way it came, if its rule does.</summary>
+/// <summary>With all velocities reversed a motion goes back the way it came, if its integrator is reversible.</summary>
 public sealed class WayBackTests
 {
     private const int Steps = 500;

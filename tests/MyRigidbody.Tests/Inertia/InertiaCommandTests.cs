@@ -10,7 +10,7 @@ using RigidBodyDynamics.Tests.Repository;
 
 namespace RigidBodyDynamics.Tests;
 
-/// <summary><c>inertia FILE</c> as a user runs it, and as somebody would who means no good.</summary>
+/// <summary><c>inertia FILE</c> for ordinary and for hostile files.</summary>
 public sealed class InertiaCommandTests
 {
     private const string Head = "<robot name=\"r\"><link name=\"a\"><inertial>", Good = "<mass value=\"1\"/><inertia ixx=\"1\" ixy=\"0\" ixz=\"0\" iyy=\"1\" iyz=\"0\" izz=\"1.5\"/>", Tail = "</inertial></link></robot>";

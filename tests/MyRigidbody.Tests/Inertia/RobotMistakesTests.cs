@@ -6,7 +6,7 @@ using RigidBodyDynamics.Tests.SceneFiles;
 
 namespace RigidBodyDynamics.Tests;
 
-/// <summary>Robot descriptions with one usual mistake each, and right ones: the mistake is named, and nobody else is blamed.</summary>
+/// <summary>Robot descriptions with one common mistake each, and right ones: the mistake is named, and no other.</summary>
 public sealed class RobotMistakesTests
 {
     private static readonly TestCaseData[] Mistakes =

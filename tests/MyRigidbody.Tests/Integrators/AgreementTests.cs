@@ -2,7 +2,7 @@ using NUnit.Framework;
 
 namespace RigidBodyDynamics.Tests;
 
-/// <summary>Rules that have nothing in common come to the same motion: with every effect, off the centre of mass, in tilted principal axes.</summary>
+/// <summary>Integrators that have nothing in common compute the same motion: with every effect, beside the centre of mass, in tilted principal axes.</summary>
 public sealed class AgreementTests
 {
     private static readonly Vector3d[] Moments =

@@ -9,7 +9,7 @@ public sealed class ConstantForceTests
     private static readonly Vector3d F = new(800, -30, 0.5), V = new(1, 2, -3);
     private static readonly TimeSteps Steps = TimeSteps.Every(1.0 / 30);
 
-    // half a kick before and half after made a terminal velocity that is 8.2 % off
+    // half a push before and half after gave a terminal velocity with an error of 8.2 %
     [TestCase("Exact")]
     [TestCase("Exact4")]
     [TestCase("Exact6")]

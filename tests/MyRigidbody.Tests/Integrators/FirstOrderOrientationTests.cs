@@ -5,7 +5,7 @@ namespace RigidBodyDynamics.Tests;
 
 /// <summary>
 /// The sheet's q + [0, ½Δt ω] q turns by 2 atan(ω Δt / 2), Unity by ω Δt. A homework script may do the one or the other: scenes say which, for
-/// the lab's rules and for Unity's.
+/// the lab's integrators and for Unity's.
 /// </summary>
 public sealed class FirstOrderOrientationTests
 {

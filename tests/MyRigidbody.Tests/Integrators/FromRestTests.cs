@@ -3,7 +3,7 @@ using NUnit.Framework;
 namespace RigidBodyDynamics.Tests;
 
 /// <summary>
-/// One short step of a torque on a body at rest. Whatever the rule, it leaves ω = Δt I⁻¹ τ, with the inertia of a body
+/// One short step of a torque on a body at rest. Whatever the integrator, it leaves ω = Δt I⁻¹ τ, with the inertia of a body
 /// whose principal axes are not its own and which stands turned in the world.
 /// </summary>
 public sealed class FromRestTests
@@ -31,7 +31,7 @@ public sealed class FromRestTests
         // I w in the axes of the world by the full tensor must be the torque again
         Vector3d torque = World + FullMatrix.Product(FullMatrix.Of(Turned), InBody);
         double[,] inertia = FullMatrix.Tensor(moments, Turned * new Quaterniond(0.9, 0.1, -0.3, 0.2).Normalized);
-        // measured: in single precision 2.5e-7; the others 5.3e-13, which is what the body turns in the step
+        // measured: in single precision 2.5e-7; the others 5.3e-13, which is the rotation of the body in the step
         Assert.That(Samples.Apart(FullMatrix.Product(inertia, w), torque), Is.LessThan(integrator == "UnityRigidbody" ? 2e-6 : 5e-12));
     }
 }

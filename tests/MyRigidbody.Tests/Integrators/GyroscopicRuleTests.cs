@@ -2,7 +2,7 @@ using NUnit.Framework;
 
 namespace RigidBodyDynamics.Tests;
 
-/// <summary>The two gyroscopic rules of game engines against the equations that they are made from.</summary>
+/// <summary>The two gyroscopic integrators of game engines against their equations.</summary>
 public sealed class GyroscopicRuleTests
 {
     private static readonly Vector3d[] Moments = [new(1, 2, 2.5), new(2.5, 1, 2), new(0.4, 0.9, 1)];

@@ -2,7 +2,7 @@ using NUnit.Framework;
 
 namespace RigidBodyDynamics.Tests;
 
-/// <summary>A push of nothing leaves what a rule has prepared for the way ahead.</summary>
+/// <summary>A push of zero leaves the prepared constants valid.</summary>
 public sealed class IdlePushTests
 {
     private static readonly TimeSteps Steps = TimeSteps.Every(0.02);

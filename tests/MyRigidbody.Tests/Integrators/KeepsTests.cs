@@ -3,7 +3,7 @@ using NUnit.Framework;
 namespace RigidBodyDynamics.Tests;
 
 /// <summary>
-/// What a rule of the catalogue says that it keeps of a freely turning body, it keeps; and what it does not say, it loses.
+/// What an integrator of the catalogue says that it keeps of a freely turning body, it keeps; and what it does not say, it loses.
 /// </summary>
 public sealed class KeepsTests
 {

@@ -3,8 +3,8 @@ using System.Collections.Concurrent;
 namespace RigidBodyDynamics.Tests;
 
 /// <summary>
-/// The power of the step with which a rule's error falls, after two seconds of a body's motion. The motion is known from
-/// RungeKutta4 in 2048 and in 4096 steps, extrapolated to steps of no length; for rules without a gyroscopic term it is a cube's.
+/// The power of the step with which an integrator's error falls, after two seconds of a body's motion. The motion is known from
+/// RungeKutta4 in 2048 and in 4096 steps, extrapolated to steps of no length; for integrators without a gyroscopic term it is a cube's.
 /// </summary>
 internal static class MeasuredOrder
 {
@@ -18,7 +18,7 @@ internal static class MeasuredOrder
     private const int FineSteps = 2048;
     private static readonly ConcurrentDictionary<(string, Vector3d, bool), BodyState> Truths = new();
 
-    /// <summary>The order under effects that act all the time, or in a window; infinite where the rule makes no error.</summary>
+    /// <summary>The order under effects that act all the time, or in a window; infinite where the integrator makes no error.</summary>
     public static double Of(string integrator, bool inWindow, params OrderedEffect[] effects) =>
         Of(integrator, Rules.Named(integrator).Keeps.HasFlag(Keeps.Motion) ? Moments : Cube, inWindow, effects);
 
@@ -26,7 +26,7 @@ internal static class MeasuredOrder
     public static double Of(string integrator, Vector3d moments, bool inWindow, params OrderedEffect[] effects) =>
         Of(Rules.Named(integrator).Order, steps => Run(integrator, steps, moments, inWindow, effects), Truth(moments, inWindow, effects));
 
-    /// <summary>The order of a rule that is declared to have this one, from what it comes to in a number of steps.</summary>
+    /// <summary>The order of an integrator that declares this one, from its results with several numbers of steps.</summary>
     public static double Of(int declared, Func<int, BodyState> run, BodyState truth)
     {
         double coarse = double.NaN, observed = double.NaN;

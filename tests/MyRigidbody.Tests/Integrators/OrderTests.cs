@@ -2,15 +2,15 @@ using NUnit.Framework;
 
 namespace RigidBodyDynamics.Tests;
 
-/// <summary>The order that the catalogue declares is the order that is observed, where the rule converges at all.</summary>
+/// <summary>The order that the catalogue declares is the observed order, where the integrator converges.</summary>
 public sealed class OrderTests
 {
-    // where a rule is exact there is no order to see; measured at most 5.7e-13
+    // where an integrator is exact there is no order to observe; measured at most 5.7e-13
     private const double Exact = 1e-11;
 
     private static IEnumerable<string> RuleNames => Rules.All.Select(rule => rule.Name);
 
-    // measured: 1.00, 1.98 to 2.00, 3.94 to 4.01; Exact6 is off by 6.7e-14
+    // measured: 1.00, 1.98 to 2.00, 3.94 to 4.01; the error of Exact6 is 6.7e-14
     [TestCaseSource(nameof(RuleNames))]
     public void Rotation_of_a_cube_under_the_key_R_converges_with_the_declared_order(string integrator)
     {
@@ -22,7 +22,7 @@ public sealed class OrderTests
             Conserved.AngleBetween(state.Orientation, closedForm), Samples.Apart(state.AngularVelocity, end.AngularVelocity)));
     }
 
-    // measured: 1.00 for each of order 1; the others are off by 5.7e-13 at most
+    // measured: 1.00 for each of order 1; the errors of the others are at most 5.7e-13
     [TestCaseSource(nameof(RuleNames))]
     public void Fall_under_a_constant_force_converges_with_the_declared_order(string integrator) => AssertOrder(
         integrator,

@@ -40,7 +40,7 @@ internal sealed record OrderedEffect(string Name, Action<BodyDescription, double
         Pushing("moving hook (x, t)", _ => new MovingHook(7)),
     ];
 
-    /// <summary>True for the factor per step, of order 1 by every rule.</summary>
+    /// <summary>True for the factor per step, of order 1 by every integrator.</summary>
     public bool IsPerStep => Name == "decay per step";
 
     /// <summary>The same with the rate that a factor per step stands for: what the motion is held against.</summary>

@@ -2,7 +2,7 @@ using NUnit.Framework;
 
 namespace RigidBodyDynamics.Tests;
 
-/// <summary>A body may be described in any axes: what turns in the world is the same.</summary>
+/// <summary>A body may be described in any axes: its motion in the world is the same.</summary>
 public sealed class OtherAxesTests
 {
     private static readonly Quaterniond Frame = new Quaterniond(0.9, 0.1, -0.3, 0.2).Normalized, Turned = new Quaterniond(0.7, -0.3, 0.5, 0.4).Normalized;

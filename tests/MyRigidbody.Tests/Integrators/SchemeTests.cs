@@ -61,7 +61,7 @@ public sealed class SchemeTests
         return [.. drifts.SelectMany((drift, i) => new[] { ('p', kicks[i]), ('f', drift) }), ('p', kicks[^1])];
     }
 
-    /// <summary>By how much each word of the product, up to a length, is off the one it should be, 1/n!.</summary>
+    /// <summary>The difference of each word of the product, up to a length, from the one that it should be, 1/n!.</summary>
     private static Dictionary<string, double> Wrong(List<(char Letter, double Part)> flows, string letters, int longest)
     {
         Dictionary<string, double> product = new() { [string.Empty] = 1 };

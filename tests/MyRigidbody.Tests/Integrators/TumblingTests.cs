@@ -3,14 +3,14 @@ using NUnit.Framework;
 namespace RigidBodyDynamics.Tests;
 
 /// <summary>
-/// A free box keeps its angular momentum and so changes its angular velocity. Neither the lab's rule nor Unity's has
+/// A free box keeps its angular momentum and so changes its angular velocity. Neither the lab's integrator nor Unity's has
 /// the gyroscopic term: the assertion that a right integrator passes, they fail.
 /// </summary>
 public sealed class TumblingTests
 {
     private static readonly MassProperties Slab = Solids.Box(1, new Vector3d(1, 2, 3));
 
-    // measured: the momentum turns, and changes by 0.32 of itself within ten seconds
+    // measured: the momentum rotates, and changes by 0.32 of itself within ten seconds
     [TestCase("ExplicitEuler")]
     [TestCase("LabEuler")]
     [TestCase("UnityRigidbody")]

@@ -41,7 +41,7 @@ internal sealed class MatchTests
     [Test]
     public void A_velocity_that_becomes_no_number_is_a_miss() => Assert.That(Of(new Vector(double.NaN, 0, 0)).Miss, Is.EqualTo(Miss.Gain));
 
-    /// <summary>q + [0, ½Δt ω] q is turned by 2 atan(½Δt |ω|) about ω, whatever its length: twice the tangent is Δt |ω|.</summary>
+    /// <summary>q + [0, ½Δt ω] q rotates by 2 atan(½Δt |ω|) about ω, for any length: twice the tangent is Δt |ω|.</summary>
     [Test]
     public void The_turn_of_the_first_order_formula_reads_as_the_angle_that_was_put_in()
     {

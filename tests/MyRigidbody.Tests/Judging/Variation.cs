@@ -9,7 +9,7 @@ namespace RigidBodyDynamics.Tests.Judging;
 /// </summary>
 /// <param name="Name">In what it differs.</param>
 /// <param name="Outcome">What it has to be called.</param>
-/// <param name="Steps">The steps that are off; 0 is the given code.</param>
+/// <param name="Steps">The steps that are wrong; 0 is the given code.</param>
 /// <param name="Code">The mistake, where one word names it.</param>
 /// <param name="Text">The script.</param>
 internal sealed record Variation(string Name, Outcome Outcome, int[] Steps, string? Code, string Text)

@@ -7,7 +7,7 @@ using RigidBodyDynamics.Tests.CommandLine;
 
 namespace RigidBodyDynamics.Tests.Languages;
 
-/// <summary>Who reads Chinese reads no English sentence on the command line: not in help, tables, sentences or errors.</summary>
+/// <summary>In Chinese the command line prints no English sentence: not in help, tables, sentences or errors.</summary>
 public sealed partial class ChineseTests
 {
     private static readonly string[] Commands = ["compare", "run", "cost", "choose", "explain", "inertia", "bench", "integrators", "grade", "pack", "check"];

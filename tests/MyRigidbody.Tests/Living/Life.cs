@@ -11,7 +11,7 @@ internal sealed class Life
 
     /// <param name="seed">Another for another life.</param>
     /// <param name="operations">How many things happen.</param>
-    /// <param name="rules">Of the bodies, at random.</param>
+    /// <param name="rules">The integrators of the bodies, chosen at random.</param>
     /// <param name="isFree">True for bodies whose motion is known: gravity and damping act on them, and no other effect.</param>
     public Life(int seed, int operations, string[] rules, bool isFree = false)
     {

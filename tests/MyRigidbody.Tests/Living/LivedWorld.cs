@@ -10,7 +10,7 @@ internal sealed class LivedWorld(bool inSingleSteps, bool looks)
 
     public IReadOnlyDictionary<int, Body> Bodies => _bodies;
 
-    /// <summary>What was done since the last time that somebody asked, for those who follow it by other means.</summary>
+    /// <summary>The operations since the last reading, for a model that repeats them by other means.</summary>
     public List<(string What, double Length, int Body, Vector3d A, Vector3d? B, bool InBody)> Done { get; } = [];
 
     public void Step(long count)

@@ -2,13 +2,13 @@ using NUnit.Framework;
 
 namespace RigidBodyDynamics.Tests;
 
-/// <summary>Many bodies in one simulation, whatever is done with each, move as each would in a simulation of its own.</summary>
+/// <summary>Many bodies in one simulation move, under any operations, as each would in a simulation of its own.</summary>
 public sealed class ManyTests
 {
     // sums of this length are exact, so that time may begin anywhere
     private static readonly TimeSteps Steps = TimeSteps.Every(1 / 64.0);
 
-    /// <summary>Rules, tops and effects of many sorts, some for a part of the time.</summary>
+    /// <summary>Integrators, tops and effects of many kinds, some for a part of the time.</summary>
     private static BodyDescription[] Kinds() =>
     [
         new("free", Crowding.Masses.First()),

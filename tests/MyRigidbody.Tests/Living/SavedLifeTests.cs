@@ -2,7 +2,7 @@ using NUnit.Framework;
 
 namespace RigidBodyDynamics.Tests;
 
-/// <summary>What was saved in the middle of a life goes on to the same bits, whatever was done to the bodies since.</summary>
+/// <summary>A simulation saved during its life continues to the same bits, whatever was done to the bodies since.</summary>
 public sealed class SavedLifeTests
 {
     private static readonly Vector3d J = new(1, -2, 3), P = new(0.5, 0.25, -1);
@@ -43,7 +43,7 @@ public sealed class SavedLifeTests
             simulation.Add(Scenery.Body(rule, "free")),
             simulation.Add(new BodyDescription("resting", Scenery.Body(rule).Mass) { Rule = Scenery.Body(rule).Rule }),
         ];
-        // the last step is kept from the first time that somebody draws in it
+        // the last step is stored from the first time that it is interpolated
         Assert.That(bodies.Select(body => body.Between(0)), Is.EqualTo(bodies.Select(body => body.State)));
         simulation.Step(17);
         foreach (Body body in bodies)

@@ -2,7 +2,7 @@ using CsCheck;
 
 namespace RigidBodyDynamics.Tests;
 
-/// <summary>Random vectors and turns, mixed with those that break a careless formula.</summary>
+/// <summary>Random vectors and rotations, mixed with those that break a careless formula.</summary>
 internal static class Samples
 {
     // CsCheck's range prefers round numbers and its unit does not; both are wanted
@@ -17,12 +17,12 @@ internal static class Samples
     /// <summary>Vectors of length 1.</summary>
     public static Gen<Vector3d> Axes { get; } = Vectors.Select(v => v / v.Length);
 
-    /// <summary>Angles from −2π to 2π, among them none, tiny ones, half a turn and almost half a turn.</summary>
+    /// <summary>Angles from −2π to 2π, among them none, tiny ones, half a revolution and almost half a revolution.</summary>
     public static Gen<double> Angles { get; } = Gen.OneOf<double>(
         Gen.Double.Unit.Select(u => 4 * Math.PI * (u - 0.5)),
         Gen.OneOf(0, 1e-8, -1e-8, 1e-160, Math.PI, -Math.PI, Math.PI - 1e-8, Math.PI + 1e-8, Math.PI - 1e-15, 2 * Math.PI));
 
-    /// <summary>Quaternions of length 1; half a turn exactly, of either sign, is among them.</summary>
+    /// <summary>Quaternions of length 1; exactly half a revolution, of either sign, is among them.</summary>
     public static Gen<Quaterniond> Turns { get; } = Gen.OneOf<Quaterniond>(
         Gen.Select(Axes, Angles, (n, angle) => new Quaterniond(Math.Cos(0.5 * angle), Math.Sin(0.5 * angle) * n).Normalized),
         Gen.OneOf(

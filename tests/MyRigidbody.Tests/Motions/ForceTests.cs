@@ -9,7 +9,7 @@ public sealed class ForceTests
 {
     private static readonly Vector3d Thrust = new(0, 0, 2100), Left = new(-1, 0, 0), Right = new(1, 0, 0);
 
-    // how far v (m/s) and the angle (rad) may be off after a second in steps of 0.02 s
+    // the bounds for the errors of v (m/s) and of the angle (rad) after a second with steps of 0.02 s
     private static IEnumerable<TestCaseData> ByRule() =>
     [
         .. new[] { "LabEuler", "ExplicitEuler", "ImplicitGyroscopic", "ExplicitGyroscopic", "UnityRigidbody" }

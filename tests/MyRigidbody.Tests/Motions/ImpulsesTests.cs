@@ -55,7 +55,7 @@ public sealed class ImpulsesTests
     [TestCase("Exact6")]
     public void Ball_that_is_hit_flies_and_turns_as_the_closed_form_says(string rule)
     {
-        // a ball's ω stays where nothing turns it; the hit changes it by r × P / I and v by P / m
+        // a ball's ω is constant without a torque; the hit changes it by r × P / I and v by P / m
         const double mass = 0.5, radius = 0.1;
         Vector3d gravity = new(0, -9.81, 0), hit = new(2, 0, 0), point = new(0, radius, 0);
         MassProperties ball = Solids.Sphere(mass, radius);

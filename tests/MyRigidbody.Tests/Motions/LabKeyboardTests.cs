@@ -6,7 +6,7 @@ namespace RigidBodyDynamics.Tests;
 public sealed class LabKeyboardTests
 {
     private const double Step = 0.02;
-    // R to the end: where nothing turns a body any more, the exact rules take a shorter way, and round otherwise
+    // R to the end: where no torque acts any more, the exact integrators use a shorter formula with other roundings
     private static readonly (LabKey Key, int From, int To)[] Pressed = [(LabKey.R, 0, 200), (LabKey.RightArrow, 50, 100), (LabKey.UpArrow, 75, 125), (LabKey.LeftArrow, 90, 95)];
 
     [TestCaseSource(nameof(RuleNames))]

@@ -41,7 +41,7 @@ internal readonly struct Overwriting(bool at, bool over) : IPush
         impulse.Force = over ? duration * Push : impulse.Force + duration * Push;
 }
 
-/// <summary>Drag that does not look at what other effects have made of the velocity.</summary>
+/// <summary>Drag that ignores the impulses of other effects.</summary>
 internal readonly struct DeafDrag : IPush
 {
     public EffectTraits Traits => EffectTraits.Moves | EffectTraits.ReadsVelocity;
@@ -57,7 +57,7 @@ internal readonly struct DeafDrag : IPush
     }
 }
 
-/// <summary>Air that holds up a body by its velocity as it should, and its turning without a look at what came in.</summary>
+/// <summary>Air drag that uses the velocity with the impulses of other effects, and the angular velocity without them.</summary>
 internal readonly struct HalfDeafDrag : IPush
 {
     public EffectTraits Traits => EffectTraits.Moves | EffectTraits.Turns | EffectTraits.ReadsVelocity | EffectTraits.ReadsAngularVelocity;

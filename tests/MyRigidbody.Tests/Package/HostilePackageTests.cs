@@ -9,7 +9,7 @@ using RigidBodyDynamics.Tests.CommandLine;
 
 namespace RigidBodyDynamics.Tests.Package;
 
-/// <summary>Packages and checkouts that somebody made to do harm.</summary>
+/// <summary>Packages and checkouts made to do harm.</summary>
 public sealed class HostilePackageTests
 {
     private const int Block = 512;

@@ -8,7 +8,7 @@ using RigidBodyDynamics.Tests.Repository;
 
 namespace RigidBodyDynamics.Tests.Report;
 
-/// <summary>Whoever reads Chinese, or English, reads all of it.</summary>
+/// <summary>Every text of a page exists in both languages.</summary>
 public sealed partial class WordsTests
 {
     // formulas, numbers with their units, and names of Unity's settings are the same in all languages

@@ -4,7 +4,7 @@ using RigidBodyDynamics.Tests.Languages;
 
 namespace RigidBodyDynamics.Tests.Repository;
 
-/// <summary>Who reads only Chinese meets no English sentence on a Chinese page, and no link of it leads to an English one.</summary>
+/// <summary>A Chinese page contains no English sentence, and none of its links leads to an English page.</summary>
 public sealed partial class ChinesePagesTests
 {
     private const string Chinese = ".zh.md";

@@ -3,7 +3,7 @@ using NUnit.Framework;
 
 namespace RigidBodyDynamics.Tests.Repository;
 
-/// <summary>Who reads two texts of ours finds one thing under one name, in both languages: that of docs/terms.md.</summary>
+/// <summary>Our texts call one thing by one name, in both languages: that of docs/terms.md.</summary>
 public sealed partial class GlossaryTests
 {
     // a term with something in brackets has more than one meaning in English, so no text can be held to it by its letters

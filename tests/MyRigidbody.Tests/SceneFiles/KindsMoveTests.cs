@@ -2,7 +2,7 @@ using NUnit.Framework;
 
 namespace RigidBodyDynamics.Tests.SceneFiles;
 
-/// <summary>Every kind of inertia moves as its moment says, by every rule, one by one and together.</summary>
+/// <summary>Every kind of inertia moves as its moments say, by every integrator, one by one and together.</summary>
 public sealed class KindsMoveTests
 {
     private const double Torque = 0.05, Force = 0.3, Seconds = 2;
@@ -29,7 +29,7 @@ public sealed class KindsMoveTests
         from kind in Enumerable.Range(0, Kinds.Length)
         select new TestCaseData(rule, kind).SetArgDisplayNames(rule.Name, Kinds[kind].Fields.Replace("\"", string.Empty));
 
-    // a torque about z from rest leaves every rule its own closed form: ω = τ t / I, and v = F t / m beside it
+    // a torque about z from rest leaves every integrator its own closed form: ω = τ t / I, and v = F t / m beside it
     [TestCaseSource(nameof(Cases))]
     public void Torque_and_force_from_rest_make_the_velocities_of_mass_and_moment(Rule rule, int kind)
     {

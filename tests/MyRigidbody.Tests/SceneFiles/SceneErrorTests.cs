@@ -3,7 +3,7 @@ using RigidBodyDynamics.Lab;
 
 namespace RigidBodyDynamics.Tests.SceneFiles;
 
-/// <summary>What a user reads who made a mistake: the place, the rule, the value.</summary>
+/// <summary>The message for a mistake in a scene: the place, the requirement, the value.</summary>
 public sealed class SceneErrorTests
 {
     private const string Head = """{ "schema": "rigid-body-scene/1", "name": "n", "step": 0.1, "steps": 3, "bodies": [ { "name": "b", """;

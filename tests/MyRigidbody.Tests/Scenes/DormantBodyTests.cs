@@ -2,7 +2,7 @@ using NUnit.Framework;
 
 namespace RigidBodyDynamics.Tests;
 
-/// <summary>What is not computed until somebody looks is where it would have been.</summary>
+/// <summary>A state that is not computed until it is read is the one that steps would give.</summary>
 public sealed class DormantBodyTests
 {
     private const long Steps = 1000;

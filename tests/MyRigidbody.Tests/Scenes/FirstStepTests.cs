@@ -57,7 +57,7 @@ public sealed class FirstStepTests
     [Test]
     public void Scene_that_never_ended_ends()
     {
-        // looked at after its first step, the body has coasted to where the torque begins
+        // read after its first step, the body has coasted to where the torque begins
         BodyDescription body = new BodyDescription("b", Solids.Box(1, new Vector3d(1, 1, 1)))
             .With(new Breaking(Way.IsNaN), 1);
         Simulation simulation = new(TimeSteps.Every(1, 6), body);

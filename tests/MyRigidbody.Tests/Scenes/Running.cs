@@ -1,9 +1,9 @@
 namespace RigidBodyDynamics.Tests;
 
-/// <summary>Steps of rules that may run away.</summary>
+/// <summary>Steps of integrations that may diverge.</summary>
 internal static class Running
 {
-    /// <summary>True unless a body has run away before the last of some steps.</summary>
+    /// <summary>True unless a body has diverged before the last of some steps.</summary>
     public static bool TryStep(this Simulation simulation, long count = 1)
     {
         try

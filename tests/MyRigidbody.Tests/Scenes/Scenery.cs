@@ -5,7 +5,7 @@ internal static class Scenery
 {
     public const long Steps = 90;
 
-    /// <summary>Steps of one length, and steps of three lengths in turn.</summary>
+    /// <summary>Steps of one length, and steps of three lengths one after another.</summary>
     public static IEnumerable<TimeSteps> Divisions()
     {
         yield return TimeSteps.Every(1.0 / 60, Steps);

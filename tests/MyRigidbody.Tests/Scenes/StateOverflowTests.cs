@@ -3,14 +3,14 @@ using NUnit.Framework;
 namespace RigidBodyDynamics.Tests;
 
 /// <summary>
-/// A body whose numbers grow beyond double precision is named with the time, by every rule, and no infinity or NaN is seen of it,
+/// A body whose numbers grow beyond double precision is named with the time, by every integrator, and no infinity or NaN is seen of it,
 /// whoever looks when.
 /// </summary>
 public sealed class StateOverflowTests
 {
     private const double Step = 0.02;
 
-    /// <summary>What makes a body run away in step 40 or later, each by another way.</summary>
+    /// <summary>Causes of divergence in step 40 or later, each of another kind.</summary>
     private static readonly Dictionary<string, (Func<BodyDescription, BodyDescription> Act, string Named)> Acts = new()
     {
         ["a force"] = (body => body.With(new Force(new Vector3d(0, 1e300, 0)), 40 * Step), "effects[0] (force ("),
@@ -85,7 +85,7 @@ public sealed class StateOverflowTests
     [Test]
     public void Body_that_is_lost_before_its_effect_begins_leaves_the_others_where_they_are()
     {
-        // it has not been looked at since it began to coast, and is long lost when the torque wakes it
+        // its state has not been tested since it began to coast, and was lost long before the torque wakes it
         BodyDescription lost = Scenery.Body("Exact", "lost").With(new Gravity(new Vector3d(1e300, 0, 0)), 0.5).With(new KeyPush(LabKey.R), 200);
         Simulation simulation = new(TimeSteps.Every(1), lost, Scenery.Busy("LabEuler", "other"));
         simulation.Step(100);

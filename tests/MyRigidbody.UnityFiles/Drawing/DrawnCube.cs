@@ -15,7 +15,7 @@ public sealed record DrawnCube(string Name, string? Parent, Matrix4x4 World, Vec
     /// <summary>Its centre in the world.</summary>
     public Vector3 Center => World.Translation;
 
-    /// <summary>Its six faces, each four corners in turn.</summary>
+    /// <summary>Its six faces, each with four corners in order.</summary>
     public IEnumerable<Vector3[]> Faces
     {
         get

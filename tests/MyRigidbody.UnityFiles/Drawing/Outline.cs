@@ -5,7 +5,7 @@ namespace RigidBodyDynamics.UnityFiles.Drawing;
 /// <summary>The convex outline of a cube in a picture.</summary>
 public static class Outline
 {
-    /// <summary>Its corners in turn, pixels from the left and from the top.</summary>
+    /// <summary>Its corners in order, pixels from the left and from the top.</summary>
     public static Vector2[] Of(DrawnCube cube, Viewpoint view, int width, int height) => Hull(
         [.. cube.Corners.Select(corner => view.Project(corner, width, height)).Select(p => new Vector2(p.X, p.Y)).OrderBy(p => p.X).ThenBy(p => p.Y)]);
 

@@ -15,7 +15,7 @@ namespace RigidBodyDynamics.Engine
             Send(new Event { type = EventType.Repaint }, window, onGui);
         }
 
-        /// <summary>Clicks in a window of the editor; what was put off until after the event is done then.</summary>
+        /// <summary>Clicks in a window of the editor; work delayed until after the event is done then.</summary>
         public static void Click(UnityEditor.EditorWindow window, System.Action onGui, string text)
         {
             Aim(text, 0);

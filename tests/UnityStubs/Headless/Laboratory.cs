@@ -27,7 +27,7 @@ namespace RigidBodyDynamics.Scripts.Tests.Headless
             return SceneManager.GetActiveScene().GetRootGameObjects().Select(root => root.GetComponent<Experiment>()).Single(found => found != null);
         }
 
-        /// <summary>Plays until so many fixed steps are done, in frames of any length, and looks after each step.</summary>
+        /// <summary>Plays a number of fixed steps, in frames of any length, and calls a function after each step.</summary>
         public static void Play(Func<int, double> frameLength, int steps, Action look)
         {
             int done = 0;

@@ -11,7 +11,7 @@ namespace RigidBodyDynamics.Scripts.Tests.Headless
         private MyRigidbody _mine;
         private Rigidbody _theirs;
 
-        // Unity's body rounds to float and has no damping here; it moves by the same semi-implicit rule
+        // Unity's body rounds to float and has no damping here; it moves by the same semi-implicit integrator
         [SetUp]
         public void Make()
         {

@@ -4,7 +4,7 @@ using UnityEngine;
 
 namespace RigidBodyDynamics.Scripts.Tests.Headless
 {
-    /// <summary>What the panel says of a rule's error and time.</summary>
+    /// <summary>The panel's numbers for the error and the cost of an integrator.</summary>
     public sealed class YardstickTests
     {
         [TestCase("Exact", 0, 1e-9)]
