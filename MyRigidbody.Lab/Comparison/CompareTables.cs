@@ -94,7 +94,7 @@ internal static class CompareTables
 
     private static TextTable FrameRates(IReadOnlyList<FrameRate> rates)
     {
-        TextTable table = new TextTable("frames a second", "arrows push ×", "\"r\" turns ×", "apart at the end", "turned apart").RightAligned(0, 1, 2, 3, 4);
+        TextTable table = new TextTable("frames a second", "arrow force ×", "\"r\" torque ×", "apart at the end", "turns differ by").RightAligned(0, 1, 2, 3, 4);
         foreach (FrameRate rate in rates)
         {
             table.AddRow(

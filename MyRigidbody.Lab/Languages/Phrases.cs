@@ -76,7 +76,7 @@ internal static class Phrases
             (@"^closed form: (\S+ s) to (\S+ s)$", "$1 至 $2 有闭式解"),
             ("^rotation$", "转动"),
             ("^translation$", "平动"),
-            ("^it starts without angular velocity and no torque acts$", "初始不转，也没有力矩"),
+            ("^it starts without angular velocity and no torque acts$", "初始角速度为零，也没有力矩"),
             ("^it starts at rest and nothing moves it$", "初始静止，也没有力"),
             ("^the scene says that it cannot turn$", "场景规定它不能转动"),
             ("^the scene says that it cannot move$", "场景规定它不能移动"),

@@ -53,11 +53,11 @@ internal static class Words
             "The line is the time of the replay; a click sets it. Drag to zoom in, double-click to go back.",
             "竖线是回放的时刻，点击可设定。拖动放大，双击还原。"),
 
-        ["rules"] = new("Where and why they part", "在哪里、为什么不同"),
+        ["rules"] = new("Where and why they differ", "在哪里、为什么不同"),
         ["rules.lead"] = new(
             "On average over the run, {0} and {1} are {2} m apart, and one has turned {3}° further than the other.",
             "在整个过程中，{0} 与 {1} 平均相距 {2} m，累计转角平均相差 {3}°。"),
-        ["rules.caption"] = new("What each rule makes of the difference", "每条规则对差别的贡献"),
+        ["rules.caption"] = new("The share of each rule in the difference", "每条规则对差别的贡献"),
         ["rules.note"] = new(
             "The rules are exchanged one after another, from {0}'s to {1}'s. A share is how far the exchange moves the body on the way, on average over the run; below zero where it takes back what another gives. Whole turns are counted.",
             "从 {0} 的规则到 {1} 的规则，逐条替换。“份额”是替换一条规则使刚体沿两者连线移动的平均距离；为负时，抵消了其他规则的一部分。整圈转动计算在内。"),
@@ -83,10 +83,10 @@ internal static class Words
             "{0}, when AddForce is called in Update instead of FixedUpdate",
             "{0}：在 Update 而不是 FixedUpdate 中调用 AddForce 时"),
         ["frames.rate"] = new("frames a second", "每秒帧数"),
-        ["frames.push"] = new("arrows push, times", "方向键的推力，倍"),
-        ["frames.turn"] = new("“r” turns, times", "“r”键的力矩，倍"),
+        ["frames.push"] = new("arrow force, times", "方向键的推力，倍"),
+        ["frames.turn"] = new("“r” torque, times", "“r”键的力矩，倍"),
         ["frames.distance"] = new("apart at the end", "结束时相距"),
-        ["frames.turned"] = new("turned apart", "转角相差"),
+        ["frames.turned"] = new("turns differ by", "转角相差"),
 
         ["recording"] = new("How far from the recording", "与录制的差别"),
         ["recording.same"] = new(

@@ -22,7 +22,7 @@ export const words = {
     en: 'Tab indents; Esc, then Tab leaves the editor. F8: next problem. Ctrl+Shift+M: list of problems. Ctrl+/: comment. Ctrl+Z: undo.',
     zh: 'Tab 缩进；先按 Esc 再按 Tab 离开编辑器。F8：下一个问题。Ctrl+Shift+M：问题列表。Ctrl+/：注释。Ctrl+Z：撤销。',
   },
-  'write.findings': { en: 'What is off', zh: '问题与提示' },
+  'write.findings': { en: 'What is wrong', zh: '问题与提示' },
   'write.replay': { en: 'Replay the judged motion', zh: '回放检查时的运动' },
   'write.inPlay': { en: 'My script in live play', zh: '把我的脚本放入实时运动' },
 

@@ -59,7 +59,7 @@ internal static class GradeWords
         ["outcome.doubtful"] = new("in doubt", "待定"),
         ["outcome.refused"] = new("did not run", "未能运行"),
 
-        ["mistakes"] = new("What is off most often", "最常见的错误"),
+        ["mistakes"] = new("The most frequent mistakes", "最常见的错误"),
         ["mistakes.none"] = new("Nothing was found off.", "没有发现错误。"),
         ["mistakes.rare"] = new("Those of fewer: {0}", "其余 {0} 项"),
         ["mistakes.what"] = new("what", "错误"),
