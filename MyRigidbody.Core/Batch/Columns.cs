@@ -1,6 +1,5 @@
 #if NET
 using System;
-using System.Numerics;
 using System.Runtime.CompilerServices;
 using System.Runtime.InteropServices;
 using Lanes = System.Numerics.Vector<double>;
@@ -54,27 +53,6 @@ namespace RigidBodyDynamics
                 Change(row, row + 1);
 
             return new Row(_numbers.AsSpan(_first + row * _next), _stride, isOut);
-        }
-
-        /// <summary>The sum of the squares of one number over some bodies, in any order.</summary>
-        [MethodImpl(Kernel.Compiled)]
-        public double SumOfSquares(int column, int from, int to)
-        {
-            ReadOnlySpan<double> numbers = _numbers.AsSpan(_first + (column * _stride) + from, to - from);
-            ReadOnlySpan<Lanes> lanes = MemoryMarshal.Cast<double, Lanes>(numbers);
-            Lanes a = Lanes.Zero, b = Lanes.Zero;
-            int i = 0;
-            for (; i + 1 < lanes.Length; i += 2)
-            {
-                a += lanes[i] * lanes[i];
-                b += lanes[i + 1] * lanes[i + 1];
-            }
-
-            double sum = 0;
-            for (i *= Lanes.Count; i < numbers.Length; i++)
-                sum += numbers[i] * numbers[i];
-
-            return sum + Vector.Sum(a + b);
         }
 
         /// <summary>Makes room for a number of rows, or a few more.</summary>

@@ -20,11 +20,13 @@ namespace RigidBodyDynamics
 
         public abstract BodyState StateOf(int place);
 
-        /// <summary>Writes the states of bodies, each to the index of its handle.</summary>
-        public virtual void Read(int from, int to, Places places, BodyState[] states)
+        /// <summary>Writes the states of bodies, each to the index of its handle. False if a body has none.</summary>
+        public virtual bool Read(int from, int to, Places places, BodyState[] states)
         {
             for (int i = from; i < to; i++)
                 states[places[i].Index] = StateOf(i);
+
+            return FirstLost(from, to) < 0;
         }
 
         /// <summary>The first place in a range whose body has no finite state; −1 if there is none.</summary>

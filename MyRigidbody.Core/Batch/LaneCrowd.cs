@@ -1,7 +1,8 @@
 #if NET
 using System;
-using System.Collections.Generic;
-using System.Runtime.InteropServices;
+using System.Linq;
+using System.Numerics;
+using System.Runtime.CompilerServices;
 using Lanes = System.Numerics.Vector<double>;
 
 namespace RigidBodyDynamics
@@ -70,15 +71,25 @@ namespace RigidBodyDynamics
 
         public override BodyState StateOf(int place) => One(place, isAll: false).State;
 
-        public override void Read(int from, int to, Places places, BodyState[] states)
+        [MethodImpl(Kernel.Compiled)]
+        public override bool Read(int from, int to, Places places, BodyState[] states)
         {
+            TLanes lanes = _lanes;
+            Lanes squares = Lanes.Zero;
             for (int i = from; i < to; i += Lanes.Count)
             {
-                _lanes.Show(_now.From(i, i + Lanes.Count).At(0), out GroupState seen);
-                ReadOnlySpan<double> numbers = MemoryMarshal.Cast<GroupState, double>(MemoryMarshal.CreateReadOnlySpan(ref seen, 1));
+                lanes.Show(_now.From(i, i + Lanes.Count).At(0), out GroupState seen);
+                if (i < Whole(from, to))
+                {
+                    squares += VectorLanes.Dot(seen.Position, seen.Position) + seen.Orientation.LengthSquared
+                        + (VectorLanes.Dot(seen.Velocity, seen.Velocity) + VectorLanes.Dot(seen.AngularVelocity, seen.AngularVelocity));
+                }
+
                 for (int lane = 0; lane < Lanes.Count && i + lane < to; lane++)
-                    Write(numbers.Slice(lane), ref states[places[i + lane].Index]);
+                    Write(ref Unsafe.Add(ref Unsafe.As<GroupState, double>(ref seen), lane), ref states[places[i + lane].Index]);
             }
+
+            return FirstLost(Guard.IsFinite(Vector.Sum(squares)) ? Whole(from, to) : from, to) < 0;
         }
 
         /// <summary>
@@ -87,10 +98,7 @@ namespace RigidBodyDynamics
         /// </summary>
         public override int FirstLost(int from, int to)
         {
-            if (AreFinite(from, to))
-                return -1;
-
-            for (int i = from; i < to; i++)
+            for (int i = AreFinite(from, Whole(from, to)) ? Whole(from, to) : from; i < to; i++)
             {
                 if (!One(i, isAll: false).IsFinite)
                     return i;
@@ -151,45 +159,47 @@ namespace RigidBodyDynamics
         /// <summary>Copies what changes in a body to its row or back: all of it, or only its state.</summary>
         protected abstract void Carry(ref TBody body, Row row, bool isAll);
 
-        private static void Write(ReadOnlySpan<double> numbers, ref BodyState state)
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        private static void Write(ref double seen, ref BodyState state)
         {
-            state.Position = new Vector3d(numbers[0], numbers[Lanes.Count], numbers[2 * Lanes.Count]);
-            numbers = numbers.Slice(3 * Lanes.Count);
-            state.Orientation = new Quaterniond(numbers[0], numbers[Lanes.Count], numbers[2 * Lanes.Count], numbers[3 * Lanes.Count]);
-            numbers = numbers.Slice(4 * Lanes.Count);
-            state.Velocity = new Vector3d(numbers[0], numbers[Lanes.Count], numbers[2 * Lanes.Count]);
-            numbers = numbers.Slice(3 * Lanes.Count);
-            state.AngularVelocity = new Vector3d(numbers[0], numbers[Lanes.Count], numbers[2 * Lanes.Count]);
+            state.Position = new Vector3d(Number(ref seen, 0), Number(ref seen, 1), Number(ref seen, 2));
+            state.Orientation = new Quaterniond(Number(ref seen, 3), Number(ref seen, 4), Number(ref seen, 5), Number(ref seen, 6));
+            state.Velocity = new Vector3d(Number(ref seen, 7), Number(ref seen, 8), Number(ref seen, 9));
+            state.AngularVelocity = new Vector3d(Number(ref seen, 10), Number(ref seen, 11), Number(ref seen, 12));
         }
 
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        private static double Number(ref double first, int number) => Unsafe.Add(ref first, number * Lanes.Count);
+
+        /// <summary>The end of the last group in which all are bodies: of a place where nobody is the numbers are nobody's.</summary>
+        private static int Whole(int from, int to) => to - (to - from) % Lanes.Count;
+
+        [MethodImpl(Kernel.Compiled)]
         private bool AreFinite(int from, int to)
         {
-            double sum = 0;
-            foreach (int column in _seen)
-                sum += _now.SumOfSquares(column, from, to);
-
-            return Guard.IsFinite(sum);
-        }
-
-        /// <summary>The columns that a body writes when its state is read.</summary>
-        private int[] Seen()
-        {
-            Columns probe = new Columns(_now.Count);
-            probe.Reserve(Width);
-            Group first = probe.From(0, Width).At(0);
-            for (int i = 0; i < probe.Count; i++)
-                first[i] = new Lanes(double.NaN);
-
-            TBody one = _one;
-            Carry(ref one, probe.Row(0, isOut: true), isAll: false);
-            List<int> seen = new List<int>();
-            for (int i = 0; i < probe.Count; i++)
+            Lanes squares = Lanes.Zero;
+            for (int i = from; i < to; i += Lanes.Count)
             {
-                if (!double.IsNaN(first[i][0]))
-                    seen.Add(i);
+                Group group = _now.From(i, i + Lanes.Count).At(0);
+                // by themselves, so that the processor need not wait for those of the last
+                Lanes ofGroup = Lanes.Zero;
+                foreach (int column in _seen)
+                    ofGroup += group[column] * group[column];
+
+                squares += ofGroup;
             }
 
-            return seen.ToArray();
+            return Guard.IsFinite(Vector.Sum(squares));
+        }
+
+        /// <summary>Which columns a body fills when it is carried to be seen.</summary>
+        private int[] Seen()
+        {
+            double[] probe = new double[_now.Count];
+            Array.Fill(probe, double.NaN);
+            TBody one = _one;
+            Carry(ref one, new Row(probe, 1, isOut: true), isAll: false);
+            return Enumerable.Range(0, probe.Length).Where(column => !double.IsNaN(probe[column])).ToArray();
         }
 
         private TBody One(int place, bool isAll)

@@ -109,10 +109,8 @@ namespace RigidBodyDynamics
             else if (_coasts)
                 _coasters.Follow(stepper, from, whole, _stop);
 
-            if ((_task == Task.Follow || _task == Task.Read) && _crowd.FirstLost(from, to) >= 0)
+            if ((_task == Task.Follow && _crowd.FirstLost(from, to) >= 0) || (_task == Task.Read && !_crowd.Read(from, to, _places, _states)))
                 Fail(part);
-            else if (_task == Task.Read)
-                _crowd.Read(from, to, _places, _states);
         }
 
         private void Step(Stepper stepper, int part, int from, int to, int whole)
