@@ -152,7 +152,7 @@ namespace RigidBodyDynamics
             if (!_loads.TryGetValue(body, out Load sum))
                 sum = new Load { Step = _step };
 
-            _loads[body] = sum.With(load, Plan.Body);
+            _loads[body] = sum.With(load, body.Name);
         }
 
         public override LoneMover Alone(Body body)
@@ -161,7 +161,7 @@ namespace RigidBodyDynamics
             Follow(place);
             long since = _retrace.Since(place);
             bool coasts = _coasts[_stretch] && _coasters.HasForm(place) && !Gives;
-            LoneMover alone = _crowd.Alone(Plan, _clock, place, since, coasts ? _stretch : _retrace.StretchOf(since), _stretch, coasts);
+            LoneMover alone = _crowd.Alone(Plan.For(body.Name), _clock, place, since, coasts ? _stretch : _retrace.StretchOf(since), _stretch, coasts);
             if (_loads.TryGetValue(body, out Load load))
                 alone.Add(body, load);
 

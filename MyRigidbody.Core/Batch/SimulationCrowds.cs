@@ -1,34 +1,43 @@
 #if NET
-using System.Runtime.CompilerServices;
+using System.Collections.Generic;
 
 namespace RigidBodyDynamics
 {
-    /// <summary>Bodies that are added with one description are moved together from the second one on.</summary>
+    /// <summary>
+    /// Bodies that are added with one description are moved together from the second on; those that are described alike one by one, once
+    /// they are many.
+    /// </summary>
     public sealed partial class Simulation
     {
-        private readonly ConditionalWeakTable<BodyDescription, Kind> _kinds = new ConditionalWeakTable<BodyDescription, Kind>();
+        // who goes on adding bodies that are all different shall not fill the memory with what they were
+        private const int MostKinds = 1024;
+
+        private readonly Dictionary<BodyDescription, Kind> _kinds = new Dictionary<BodyDescription, Kind>(new Alike());
 
         partial void AddTogether(Body body, BodyDescription description, in BodyState start, Vector3d? inBody, ref bool isTogether)
         {
-            if (!_kinds.TryGetValue(description, out Kind kind))
-            {
-                _kinds.Add(description, new Kind());
+            description.CheckAllElse();
+            Kind kind = KindOf(description);
+            isTogether = kind.IsOneOfMany(description);
+            if (!isTogether)
                 return;
-            }
 
             description.Check(start);
-            description.CheckAllElse();
-            Join(body, kind.For(description, start, _clock, MayLeaveOut), start, inBody);
-            isTogether = true;
+            Join(body, kind.For(start, _clock, MayLeaveOut), start, inBody);
         }
 
         partial void AddTogether(Body body, Mover mover, in BodyState start, ref bool isTogether)
         {
-            if (!(mover is Batch batch))
-                return;
+            isTogether = mover is Batch;
+            if (isTogether)
+                Join(body, ((Batch)mover).Kind.For(start, _clock, MayLeaveOut), start, null);
+        }
 
-            Join(body, batch.Kind.For(start, _clock, MayLeaveOut), start, null);
-            isTogether = true;
+        partial void Forget(Mover crowd)
+        {
+            // room that nobody lives in is kept only by those who may come back
+            if (((Batch)crowd).Kind.HasNobody)
+                _kinds.Remove(((Batch)crowd).Kind.Like);
         }
 
         partial void RestoreCrowds(SavedSimulation saved)
@@ -48,6 +57,20 @@ namespace RigidBodyDynamics
         {
             foreach (Mover crowd in _crowds)
                 ((Batch)crowd).Threads = _threads;
+        }
+
+        private Kind KindOf(BodyDescription description)
+        {
+            if (!_kinds.TryGetValue(description, out Kind kind))
+            {
+                if (_kinds.Count == MostKinds)
+                    _kinds.Clear();
+
+                kind = new Kind(description);
+                _kinds.Add(kind.Like, kind);
+            }
+
+            return kind;
         }
 
         private void Join(Body body, Batch batch, in BodyState start, Vector3d? inBody)

@@ -13,7 +13,7 @@ namespace RigidBodyDynamics
         internal Body(Simulation simulation) => Simulation = simulation;
 
         /// <summary>Its name.</summary>
-        public string Name => Plan.Asked.Name;
+        public string Name { get; internal set; }
 
         /// <summary>Its mass and inertia at the present step.</summary>
         public MassProperties Mass => Plan.ChangesMass ? Plan.Asked.Mass.Times(Plan.MassRatioAt(Simulation.StepsDone)) : Plan.Asked.Mass;

@@ -144,17 +144,6 @@ namespace RigidBodyDynamics
             return this;
         }
 
-        /// <summary>True if the two differ only in their starts.</summary>
-        internal bool IsLike(BodyDescription other)
-        {
-            bool isLike = Name == other.Name && Mass == other.Mass && Rule == other.Rule && Lock == other.Lock
-                && Lab.IsLike(other.Lab) && Unity.IsLike(other.Unity) && _effects.Count == other._effects.Count;
-            for (int i = 0; isLike && i < _effects.Count; i++)
-                isLike = _effects[i] == other._effects[i];
-
-            return isLike;
-        }
-
         internal int IndexOf(Effect effect) => _effects.IndexOf(effect);
 
         /// <summary>Refuses, by name and value, combinations that no single setter can refuse. A simulation calls it before it begins.</summary>

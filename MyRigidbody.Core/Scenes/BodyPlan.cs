@@ -27,7 +27,7 @@ namespace RigidBodyDynamics
     /// The parts of a body's motion, read once from its description: the plan contains exactly what runs. A body that
     /// is changed gets a new plan.
     /// </summary>
-    internal sealed class BodyPlan
+    internal sealed partial class BodyPlan
     {
         private readonly TimeSteps.Grid _division;
 
@@ -67,10 +67,10 @@ namespace RigidBodyDynamics
         public Omissions LeftOut { get; }
 
         /// <summary>The body as the integrator gets it, with all locked that is left out.</summary>
-        internal BodyDescription Body { get; }
+        internal BodyDescription Body { get; private set; }
 
         /// <summary>The body as the scene describes it.</summary>
-        public BodyDescription Asked { get; }
+        public BodyDescription Asked { get; private set; }
 
         /// <summary>The treatment of locks that leave some axes free, where the integrator does not treat them; else null.</summary>
         internal Bearing Bearing { get; }

@@ -25,10 +25,10 @@ namespace RigidBodyDynamics
 
         /// <summary>The same for a body that is stored with others.</summary>
         internal BrokenEffectException(BrokenEffectException broken, Body handle)
-            : base(Guard.OneLine("body \"" + broken.Body + "\" " + handle.Index.ToString(CultureInfo.InvariantCulture) + ": " + broken._where + broken.Reason), broken.InnerException)
+            : base(Guard.OneLine("body \"" + handle.Name + "\" " + handle.Index.ToString(CultureInfo.InvariantCulture) + ": " + broken._where + broken.Reason), broken.InnerException)
         {
             _where = broken._where;
-            Body = broken.Body;
+            Body = handle.Name;
             Handle = handle;
             Number = handle.Index;
             Effect = broken.Effect;

@@ -29,8 +29,8 @@ namespace RigidBodyDynamics
                 : new Load { Wrench = new Wrench { Force = push, Torque = torque } };
         }
 
-        /// <summary>The sum of two loads on a body.</summary>
-        public Load With(in Load more, BodyDescription body)
+        /// <summary>The sum of two loads on a body of this name.</summary>
+        public Load With(in Load more, string body)
         {
             Load sum = this;
             sum.Wrench.Force += more.Wrench.Force;
@@ -39,7 +39,7 @@ namespace RigidBodyDynamics
             sum.BodyForce += more.BodyForce;
             return sum.Wrench.IsFinite && sum.BodyForce.IsFinite
                 ? sum
-                : throw new OverflowException("body \"" + body.Name + "\": the sum of what is applied in this step must be finite");
+                : throw new OverflowException("body \"" + body + "\": the sum of what is applied in this step must be finite");
         }
 
         /// <summary>The parts of the motion that it needs.</summary>

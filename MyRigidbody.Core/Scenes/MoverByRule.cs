@@ -127,7 +127,7 @@ namespace RigidBodyDynamics
         public override void Add(Body body, in Load load)
         {
             Arrive(mayCoast: true);
-            Load = (IsLoaded ? Load : new Load { Step = _now.Step }).With(load, Plan.Body);
+            Load = (IsLoaded ? Load : new Load { Step = _now.Step }).With(load, body.Name);
             _now.IsDormant = false;
             KeepNow();
             _loaded = _loaded ?? StretchBuilder<TIntegrator>.Bind(Plan, isWatched: false, loaded: this);

@@ -36,18 +36,21 @@ namespace RigidBodyDynamics
     internal readonly struct SavedBody
     {
         public readonly Body Body;
+        private readonly string _name;
         private readonly Mover _mover;
         private readonly object _moment;
 
         public SavedBody(Body body)
         {
             Body = body;
+            _name = body.Name;
             _mover = body.Mover;
             _moment = _mover.HasMany ? null : _mover.Save();
         }
 
         public void Restore()
         {
+            Body.Name = _name;
             Body.Mover = _mover;
             if (!_mover.HasMany)
                 _mover.Restore(_moment);

@@ -29,7 +29,7 @@ namespace RigidBodyDynamics
             MayLeaveOut = mayLeaveOut;
             _clock = new Clock(scene.Steps);
             foreach (BodyDescription body in scene.Bodies)
-                Enter(new Body(this) { Mover = Moving(body, MayLeaveOut) });
+                Enter(new Body(this) { Name = body.Name, Mover = Moving(body, MayLeaveOut) });
         }
 
         /// <summary>A simulation with one division of time, and with the given bodies.</summary>
@@ -45,7 +45,7 @@ namespace RigidBodyDynamics
         public long StepsDone => _clock.Step;
 
         /// <summary>
-        /// The largest number of threads that step bodies added with one description, from 1 to 1024; at first the number of processors.
+        /// The largest number of threads that step bodies stored together, from 1 to 1024; at first the number of processors.
         /// It does not change the result; on .NET Standard it is always one thread.
         /// </summary>
         public int Threads
@@ -65,8 +65,9 @@ namespace RigidBodyDynamics
         internal Omissions MayLeaveOut { get; }
 
         /// <summary>
-        /// Adds a body, which starts now. Many bodies added with one description are stored and stepped together, several at a time
-        /// and on several threads; each gets the same bits as alone.
+        /// Adds a body, which starts now. Many bodies added with one description, or with descriptions that differ only in name and start
+        /// and have effects of the library only, are stored and stepped together, several at a time and on several threads; each gets the
+        /// same bits as alone.
         /// </summary>
         /// <param name="description">The body; later changes of it do not change the motion. Names may repeat.</param>
         public Body Add(BodyDescription description) => Add(Guard.NotNull(description, nameof(description)), description.Start, description.GivenInBody);
@@ -172,15 +173,17 @@ namespace RigidBodyDynamics
         /// <summary>Plans a body anew from a description.</summary>
         internal void Plan(Body body, BodyDescription description, in BodyState state, Omissions mayLeaveOut)
         {
+            bool isSame = description == body.Plan.Asked;
             LoneMover last = Alone(body.Mover, body);
             bool isLoaded = last.Load.Step == StepsDone;
-            double ratio = description == last.Plan.Asked ? last.Plan.MassRatioAt(StepsDone) : 1;
-            LoneMover next = Moving(At(description, state, null), isLoaded ? mayLeaveOut & ~last.Load.Needs : mayLeaveOut, ratio);
+            double ratio = isSame ? last.Plan.MassRatioAt(StepsDone) : 1;
+            LoneMover next = Moving(At(isSame ? last.Plan.Asked : description, state, null), isLoaded ? mayLeaveOut & ~last.Load.Needs : mayLeaveOut, ratio);
             last.Arrive(mayCoast: true);
             next.Last = last.Last;
             if (isLoaded)
                 next.Add(body, last.Load);
 
+            body.Name = next.Plan.Asked.Name;
             body.Mover = next;
         }
 
@@ -199,14 +202,17 @@ namespace RigidBodyDynamics
 
         private void Part(Mover mover, Body body)
         {
-            if (mover.Remove(body))
-                _crowds.Remove(mover);
+            if (!mover.Remove(body))
+                return;
+
+            _crowds.Remove(mover);
+            Forget(mover);
         }
 
         private Body Add(BodyDescription description, in BodyState start, Vector3d? inBody)
         {
             MayBeChanged();
-            Body body = new Body(this);
+            Body body = new Body(this) { Name = description.Name };
             bool isTogether = false;
             AddTogether(body, description, start, inBody, ref isTogether);
             if (!isTogether)
@@ -252,6 +258,8 @@ namespace RigidBodyDynamics
         partial void AddTogether(Body body, BodyDescription description, in BodyState start, Vector3d? inBody, ref bool isTogether);
 
         partial void AddTogether(Body body, Mover mover, in BodyState start, ref bool isTogether);
+
+        partial void Forget(Mover crowd);
 
         partial void RestoreCrowds(SavedSimulation saved);
 

@@ -11,9 +11,9 @@ namespace RigidBodyDynamics
     public sealed class StateOverflowException : ArithmeticException
     {
         internal StateOverflowException(BodyPlan plan, long step, Body handle = null, bool isLoaded = false) : base(Guard.OneLine(
-            "body \"" + plan.Body.Name + "\"" + (handle == null ? string.Empty : " " + handle.Index.ToString(CultureInfo.InvariantCulture)) + ": " + Why(plan, step, isLoaded)))
+            "body \"" + (handle?.Name ?? plan.Body.Name) + "\"" + (handle == null ? string.Empty : " " + handle.Index.ToString(CultureInfo.InvariantCulture)) + ": " + Why(plan, step, isLoaded)))
         {
-            Body = plan.Body.Name;
+            Body = handle?.Name ?? plan.Body.Name;
             Handle = handle;
             Number = handle?.Index ?? -1;
             Rule = plan.Rule;

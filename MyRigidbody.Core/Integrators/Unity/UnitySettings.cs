@@ -53,10 +53,5 @@ namespace RigidBodyDynamics
 
         /// <summary>A separate copy of the settings.</summary>
         public UnitySettings Copy() => (UnitySettings)MemberwiseClone();
-
-        internal bool IsLike(UnitySettings other) =>
-            Drag == other.Drag && AngularDrag == other.AngularDrag && MaxAngularVelocity == other.MaxAngularVelocity
-            && SleepThreshold == other.SleepThreshold && WakeCounter == other.WakeCounter && GyroscopicForces == other.GyroscopicForces
-            && InDouble == other.InDouble && FirstOrderOrientation == other.FirstOrderOrientation;
     }
 }
