@@ -118,8 +118,16 @@ internal static class Suite
                 all.Add(new Measurement(what + ", together", bodies, threads, () => Together(like(), bodies, threads, Omissions.None).Step));
         }
 
+        if (bodies <= 100_000)
+            all.Add(new Measurement("Exact, three moments, described one by one", bodies, 1, () => Described(bodies).Step));
+
+        all.Add(new Measurement("Exact, three moments, all states read", bodies, 1, () => Reading(Together(General(), bodies, 1, Omissions.None))));
         foreach (int threads in new[] { 1, 2 })
+        {
+            all.Add(new Measurement("in-place scale of 13 doubles a body", bodies, threads, () => InPlaceScale.Of(13 * bodies, threads)));
             all.Add(new Measurement("in-place scale of 26 doubles a body", bodies, threads, () => InPlaceScale.Of(26 * bodies, threads)));
+        }
+
 
         all.Add(new Measurement("Exact, coasting, state not read, together", bodies, 1, () => OneByOne(Together(General(), bodies, 1, Omissions.All).Step)));
         return all;
@@ -167,6 +175,26 @@ internal static class Suite
         }
 
         return new Simulation(new SceneDescription("bench", string.Empty, TimeSteps.Every(Step), all), Omissions.All & ~Omissions.Coasting);
+    }
+
+    /// <summary>Bodies that are added with a description each, as a game does that knows nothing of crowds.</summary>
+    private static Simulation Described(int bodies)
+    {
+        Simulation simulation = new(new SceneDescription("bench", string.Empty, TimeSteps.Every(Step), []), Omissions.All & ~Omissions.Coasting) { Threads = 1 };
+        for (int i = 0; i < bodies; i++)
+            simulation.Add(General(), Start(i, General()));
+
+        return simulation;
+    }
+
+    private static Action<long> Reading(Simulation simulation)
+    {
+        BodyState[] states = new BodyState[simulation.Bodies.Count];
+        return count =>
+        {
+            for (long i = 0; i < count; i++)
+                simulation.ReadStates(states);
+        };
     }
 
     private static Simulation Together(BodyDescription body, int bodies, int threads, Omissions mayLeaveOut)
