@@ -4,8 +4,8 @@ using System.Runtime.CompilerServices;
 namespace RigidBodyDynamics
 {
     /// <summary>
-    /// The factor of a velocity under damping, stored as the part lost beside the part left: v − lost · v rounds up and down in
-    /// turns, where left · v repeats the rounding of e^(−ch) in every step, and a million steps accumulate it.
+    /// The factor of a velocity under damping, stored as the part lost beside the part left: v − lost · v rounds sometimes up, sometimes
+    /// down, where left · v repeats the rounding of e^(−ch) in every step, and a million steps accumulate it.
     /// </summary>
     internal readonly partial struct Decay
     {

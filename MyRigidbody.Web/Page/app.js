@@ -1,4 +1,4 @@
-// Starts the page: what its parts share, then Play, and after the first picture all that may wait.
+// Starts the page: the shared parts, then Play, and after the first picture the rest.
 import './first.js';
 import '../../MyRigidbody.Lab/Report/Page/page.js';
 import './lab.js';

@@ -1,4 +1,4 @@
-// A second instance of the simulation, which measures while the first goes on being played. Numbers that it posts are how much is done.
+// A second instance of the simulation, which measures while the first plays. The numbers that it posts are the finished fraction.
 import { start } from './runtime.js';
 
 const started = start('play', 'MyRigidbody.Web.Play');

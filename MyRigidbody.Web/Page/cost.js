@@ -1,4 +1,4 @@
-// What accuracy costs on the scene of the page: measured by a worker when the reader asks for it, drawn by the report's script.
+// Accuracy against time for the scene of the page: measured by a worker on request, drawn by the report's script.
 import '../../MyRigidbody.Lab/Report/Page/cost.js';
 import { plotting } from './plotting.js';
 import words from './cost-words.js';
@@ -139,7 +139,7 @@ export function startCost(part) {
     end();
     byId('measure').focus();
   });
-  // what was measured stays, and says that it is of before
+  // an earlier measurement stays, marked as such
   for (const name of ['scene', 'sceneText', 'rule']) {
     window.lab.addEventListener(name, () => {
       if (found && !worker) {

@@ -1,4 +1,4 @@
-// What the parts of the page share: one state, and events that tell of its changes.
+// Shared by the parts of the page: one state, and events for its changes.
 class Lab extends EventTarget {
   state = { scene: 'lab', sceneText: undefined, rule: undefined, script: undefined, lang: report.language(), theme: document.documentElement.dataset.theme, tab: 'play' };
 

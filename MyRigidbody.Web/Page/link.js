@@ -1,9 +1,9 @@
-// A link carries the state: scene, rule, script, language and tab; what was played is a scene with its keys.
+// A link contains the state: scene, integrator, script, language and tab; a played motion is a scene with its keys.
 import words from './link-words.js';
 import { pack, unpack } from './packed.js';
 import { addWords } from './words.js';
 
-// what messengers and mail programs leave whole
+// the length that messengers and mail programs do not break
 const longest = 8000;
 const longestText = 1 << 20;
 
@@ -34,7 +34,7 @@ function ofFiles(list) {
   return beside.length > 0 ? { ...script, beside } : script;
 }
 
-// what came by the address, and what of it is damaged
+// the parts of the address, and those that are damaged
 const opened = {}, damaged = [];
 
 /** Takes the state from the address, before anything is shown. */
@@ -71,7 +71,7 @@ export function followLink() {
   }
 }
 
-// the part of the page that the reader looks at
+// the visible part of the page
 function tabInView() {
   const top = tab => document.getElementById(tab + '-part').getBoundingClientRect().top;
   return tabs.findLast(tab => top(tab) < innerHeight / 2) ?? 'play';

@@ -10,7 +10,7 @@ export async function pack(text) {
   return btoa(letters).replace(/\+/g, '-').replace(/\//g, '_').replace(/=+$/, '');
 }
 
-// throws where it is damaged, is no text, or would become longer than it may
+// throws where it is damaged, is no text, or exceeds the limit
 export async function unpack(packed, most) {
   if (!/^[\w-]+$/.test(packed)) {
     throw new Error('not base64url');
@@ -23,7 +23,7 @@ export async function unpack(packed, most) {
 
 async function through(stream, bytes, most) {
   const writer = stream.writable.getWriter();
-  // what is wrong with them is said by the reader
+  // the reader reports errors in them
   writer.write(bytes).catch(() => {});
   writer.close().catch(() => {});
   const parts = [];

@@ -35,13 +35,13 @@ export const keys = {
   felt: () => taps.clear(),
 };
 
-// what takes keys for itself: text, lists, sliders
+// controls that use keys themselves: text, lists, sliders
 const isTyping = event => {
   const target = event.composedPath()[0];
   return target.closest?.('select, input, textarea, [contenteditable], [role=tablist]') || target.isContentEditable;
 };
 
-// before the page's other keys: with Shift they look around
+// before the page's other keys: with Shift they move the camera
 addEventListener('keydown', event => {
   const key = keyOf(event);
   if (key && !event.shiftKey && !event.ctrlKey && !event.metaKey && !event.altKey && !isTyping(event)) {
@@ -76,7 +76,7 @@ export function startButtons(place) {
       hold(event.code, button.dataset.key);
     }
   });
-  // a press that has no length, as a screen reader gives it, holds until the next
+  // a press without duration, as from a screen reader, holds until the next
   place.addEventListener('click', event => {
     const button = buttonOf(event);
     if (button && event.detail === 0) {

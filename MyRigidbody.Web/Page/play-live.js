@@ -1,11 +1,11 @@
-// A motion that the simulation in the page makes as far as it is watched.
+// A motion that the simulation in the page computes as far as it is shown.
 import { keys } from './play-keys.js';
 
 const milliseconds = 12;
 const perPose = 7;
 
 export class LiveMotion {
-  // another motion is made now: answers that still come are for nobody
+  // another motion is made now: later answers are dropped
   isGone = false;
   // which keys were felt, in which step, and when they went down or up: for tests
   felt = [];

@@ -1,4 +1,4 @@
-// Curves under the picture: the library that draws them is loaded when they are looked at.
+// Curves under the picture: the library that draws them is loaded when they come into view.
 import { plotting } from './plotting.js';
 
 export function startPlots() {

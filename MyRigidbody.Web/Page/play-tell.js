@@ -1,4 +1,4 @@
-// What somebody hears who cannot see the picture: what matters, and not every picture.
+// Announcements for screen readers: what matters, and not every picture.
 const { word } = report;
 const digits = 2;
 

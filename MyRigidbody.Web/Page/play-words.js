@@ -51,7 +51,7 @@ export default {
   'scene.thruster': { en: 'thruster', zh: '推进器' },
   'scene.locked-door': { en: 'door on its axle', zh: '绕轴的门' },
   'scene.fall-with-drag': { en: 'fall with drag', zh: '有阻力的下落' },
-  // English readers have what stands in the file
+  // in English the text of the file is shown
   'about.lab': { zh: '实验的立方体与 Unity 的刚体：0–3 s 按 r，1–2 s 按右键，1.5–2.5 s 按上键' },
   'about.lab-box': { zh: '1 × 2 × 3 的长方体做同样的实验：0–3 s 按 r，1–2 s 按右键，1.5–2.5 s 按上键' },
   'about.homework': { zh: '按作业的五个步骤运动的长盒子，与同样按键下按力学定律运动的盒子：作业省去了 ω × I ω' },

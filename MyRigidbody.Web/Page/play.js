@@ -35,7 +35,7 @@ async function textOf(name) {
   return get(`scenes/${name}.json`, 'text');
 }
 
-// opens a scene, or the one that is open again, at its start; what is wrong with it is said, and nothing changes
+// opens a scene, or the open one again, at its start; an error in it is shown, and nothing changes
 let turns = 0;
 async function open(name = played.name, text = played.text) {
   const turn = ++turns, ownKeys = !byId('file-keys').checked;
@@ -139,7 +139,7 @@ function listen() {
   delete report.keys.ArrowLeft;
   delete report.keys.ArrowRight;
   Object.assign(report.keys, { ',': () => report.stepBy(-1), '.': () => report.stepBy(1) });
-  // a key is felt now, whatever part of the past is looked at
+  // a key acts now, whatever part of the past is shown
   keys.on(() => played.live && report.setTime(report.motion.end));
   report.on('script lost', again);
   report.on('own keys', () => byId('file-keys').checked = false);

@@ -1,4 +1,4 @@
-// The plotting library, which is large: fetched when the first curve is drawn, once.
+// The plotting library, which is large: fetched once, when the first curve is drawn.
 let loaded;
 
 export function plotting() {

@@ -1,5 +1,5 @@
-// Asks the workers of scripts, each one request at a time, and is their watch: a script that stops answering ends with its worker.
-// One worker judges, and another plays, so that nothing stands still while a script is judged.
+// Sends requests to the workers of scripts, one at a time to each, and watches them: a script that does not answer ends with its worker.
+// One worker judges, and another plays, so that the play does not stop while a script is judged.
 import { workerOf } from './workers.js';
 
 // s: the meter inside stops a script after one
@@ -19,7 +19,7 @@ class Worked {
 
   ask(request) {
     return new Promise(answer => {
-      // who types on asks again before this was answered
+      // further typing sends a new request before this answer
       if (request.do === 'judge' || request.do === 'errors') {
         for (const old of this.#waiting.filter(one => one.request.do === request.do)) {
           old.answer({ replaced: true });
@@ -82,7 +82,7 @@ class Worked {
     this.#go();
   }
 
-  // what ended is said by the next worker, in the words of the first
+  // the next worker reports what ended, in the words of the first
   #stop(code) {
     const { request, answer } = this.#asked ?? {};
     this.#asked = undefined;

@@ -35,7 +35,7 @@ const doing = {
 // the page counts the time that a script takes from the last of these
 globalThis.scriptRuns = runs => postMessage({ runs });
 
-// what a script could do harm with, if it got past the list of what it may name
+// harmful if a script got past the list of what it may use
 function takeAway(scope) {
   const all = ['fetch', 'XMLHttpRequest', 'WebSocket', 'WebSocketStream', 'WebTransport', 'EventSource', 'importScripts', 'indexedDB', 'caches', 'BroadcastChannel',
     'Worker', 'SharedWorker', 'FontFace', 'webkitRequestFileSystem', 'webkitRequestFileSystemSync', 'webkitResolveLocalFileSystemURL',

@@ -13,7 +13,7 @@ import { wrapping } from './write-wrap.js';
 // CodeMirror with C#, in a shadow root: there its style sheet is a constructed one, which the page's policy allows.
 export function createEditor(host, text, { say, changed }) {
   const words = new Compartment();
-  // from outside it looks as if no control had the focus: the stage would take blanks and signs for its keys
+  // outside the shadow root no control seems to have the focus: the stage would use spaces and signs as its keys
   host.addEventListener('keydown', event => event.stopPropagation());
   let view = null, problems = [], summary = '';
 
@@ -33,7 +33,7 @@ export function createEditor(host, text, { say, changed }) {
     }),
   });
 
-  // What is said of the cursor's line, for those who do not hover: by keyboard, by touch, by ear.
+  // The findings of the cursor's line, for readers without a mouse: by keyboard, by touch, by screen reader.
   function herePanel() {
     const dom = document.createElement('div');
     dom.setAttribute('role', 'status');

@@ -15,7 +15,7 @@ export function createFiles(section, { say, ask, tell, open, submission }) {
     input.value = '';
   });
 
-  // before the editor sees it, which would write the bytes into the text
+  // before the editor gets it, which would write the bytes into the text
   const drags = event => event.dataTransfer?.types.includes('Files');
   for (const kind of ['dragenter', 'dragover', 'dragleave', 'drop']) {
     addEventListener(kind, event => {
@@ -52,7 +52,7 @@ export function createFiles(section, { say, ask, tell, open, submission }) {
     if (script) open(script, found.filter(file => !likely.includes(file)), name && name !== fileName(script.name) ? `${name} · ${script.name}` : script.name);
   }
 
-  // who hands in two is asked which
+  // with two scripts the reader is asked which one counts
   function one(likely) {
     const list = choice.querySelector('select');
     list.replaceChildren(...likely.map((file, i) => new Option(file.name, i)));
@@ -87,7 +87,7 @@ export function createFiles(section, { say, ask, tell, open, submission }) {
   });
 }
 
-// Asks in a dialog, and gives what was answered.
+// Asks in a dialog, and returns the answer.
 export function ended(dialog) {
   dialog.returnValue = '';
   dialog.showModal();

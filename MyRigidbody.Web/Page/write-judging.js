@@ -21,7 +21,7 @@ function placed(check, text) {
   };
 }
 
-// a worker that broke is said and not thrown: the page goes on
+// a failed worker is reported and not thrown: the page continues
 export async function ask(request) {
   try {
     return await askWorker(request);
@@ -82,7 +82,7 @@ export function createJudging(section, editor, submission) {
       [
         ...errors.map(error => (fileName(error.file ?? script) === script
           ? { ...error, severity: 'error', message: inWords(error) }
-          // what is off in a file beside the script stands above it
+          // findings in other files are shown above the script
           : { line: 1, severity: 'error', message: say('write.elsewhere', error.file, error.line, inWords(error)) })),
         ...notes.map(note => ({ line: note.line, severity: note.doubtful ? 'info' : 'warning', message: inWords(note.help) })),
       ],

@@ -6,7 +6,7 @@ const element = (tag, properties, ...children) => {
   return made;
 };
 
-// The five lamps, and below the editor what is off; in the words of check, which come with the answer.
+// The five lamps, and below the editor the findings; in the words of check, which come with the answer.
 export function createLamps(section, { say, goTo }) {
   const lamps = section.querySelector('.lamps'), outcome = section.querySelector('.outcome'), notes = section.querySelector('.notes'), comments = section.querySelector('.comments'), told = section.querySelector('.told');
   const inWords = word => word?.[report.language()] ?? '';

@@ -1,4 +1,4 @@
-// What the Write part says of its own. What is said of a script is the judge's, and comes with its answer.
+// The texts of the Write part. Those about a script are the judge's, and come with its answer.
 export const words = {
   'write.about': {
     en: 'Fill in the five TODOs. Whenever you pause, the script is compiled and judged as the command check judges it. It stays in this browser; nothing is sent anywhere.',

@@ -47,7 +47,7 @@ public sealed class LabPageTests : LabPageFixture
     }
 
     [Test]
-    public void Nobody_else_is_asked_for_anything()
+    public void No_other_server_is_contacted()
     {
         int before = Site.Sent.Length;
         Browser.Requests();
@@ -132,7 +132,7 @@ public sealed class LabPageTests : LabPageFixture
     }
 
     [Test]
-    public void Every_control_has_a_name_for_who_cannot_see_it()
+    public void Every_control_has_a_name_for_screen_readers()
     {
         Browser.Visit(Site.Address, Whole);
 

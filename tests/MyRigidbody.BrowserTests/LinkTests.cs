@@ -14,7 +14,7 @@ public sealed class LinkTests : LabPageFixture
     public void Begin() => Forget();
 
     [Test]
-    public void Scene_rule_script_and_language_arrive()
+    public void Scene_integrator_script_and_language_arrive()
     {
         const string Script = "// 学生的脚本 🙂\nclass MyRigidbody { }\n";
         Browser.Visit(Site.Address + "#lang=zh", Ready);

@@ -112,7 +112,7 @@ public sealed class PlayPageTests : LabPageFixture
 
     [TestCase("Exact", "lab-box")]
     [TestCase("RungeKutta4", "t-handle")]
-    public void Scene_and_rule_are_chosen(string rule, string scene)
+    public void Scene_and_integrator_are_chosen(string rule, string scene)
     {
         Choose("scene", scene);
         Assert.That(Browser.Becomes($"lab.state.scene === '{scene}' && report.time() > 0"), Is.True);
@@ -182,7 +182,7 @@ public sealed class PlayPageTests : LabPageFixture
     }
 
     [Test]
-    public void Curves_are_drawn_when_they_are_looked_at_and_grow()
+    public void Curves_are_drawn_when_they_come_into_view_and_grow()
     {
         Assert.That(Browser.Get<bool>("window.Plotly === undefined"), Is.True);
         Browser.Do("document.getElementById('plots-part').open = true");

@@ -38,7 +38,7 @@ public sealed partial class SiteServerTests
     [TestCase("gzip, deflate", "gzip")]
     [TestCase("br;q=0, gzip", "gzip")]
     [TestCase("identity", null)]
-    public async Task Text_goes_packed_to_whom_accepts_it(string accepted, string? sent)
+    public async Task Text_is_sent_compressed_to_a_browser_that_accepts_it(string accepted, string? sent)
     {
         using HttpResponseMessage answer = await Get("app.js", accepted);
 

@@ -37,7 +37,7 @@ public static class Advisor
         return Choose(scene, truth, error, Probes.Of([scene], truth.Duration)[0], progress);
     }
 
-    /// <summary>The same where it is known what a step of each rule costs, ns.</summary>
+    /// <summary>The same with known costs of a step of each integrator, ns.</summary>
     internal static Advice Choose(
         SceneDescription scene, Truth truth, double error, IReadOnlyDictionary<Rule, double> perStep, Action<double>? progress)
     {

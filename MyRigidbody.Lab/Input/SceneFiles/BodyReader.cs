@@ -5,7 +5,7 @@ internal static class BodyReader
 {
     private static readonly string[] LabIntegrators = ["LabEuler", "ExplicitEuler"];
 
-    /// <summary>The body; what it is in numbers, the solid box of one that is made of vertices, and what the user should know are noted by its name.</summary>
+    /// <summary>The body; its count, the solid box of one that is made of vertices, and notes for the user are stored by its name.</summary>
     public static BodyDescription Read(
         Place place, Dictionary<string, MassProperties> solidBoxes, Dictionary<string, ManyBodies> crowds, Dictionary<string, IReadOnlyList<string>> notes)
     {
@@ -59,7 +59,7 @@ internal static class BodyReader
         return body;
     }
 
-    /// <summary>Axes as letters: of the world for moving, principal axes for turning.</summary>
+    /// <summary>Axes as letters: of the world for translation, principal axes for rotation.</summary>
     public static Locks Locked(Fields fields)
     {
         Locks locked = fields.Or("move", Locks.None, axes => Axes(axes, Locks.MoveX)) | fields.Or("turn", Locks.None, axes => Axes(axes, Locks.TurnX));

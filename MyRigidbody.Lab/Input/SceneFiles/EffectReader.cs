@@ -1,6 +1,6 @@
 namespace RigidBodyDynamics.Lab;
 
-/// <summary>Reads an effect of a body. A new effect is one line in the table, which says its form, and the schema is made of it.</summary>
+/// <summary>Reads an effect of a body. A new effect is one line in the table, which states its form; the schema is made from it.</summary>
 internal static class EffectReader
 {
     private const string PerStep = "perStep", Impulse = "impulse", Swing = "constant + sin * sin(rate t) + cos * cos(rate t)";
@@ -48,10 +48,10 @@ internal static class EffectReader
     /// <summary>Names of all effects.</summary>
     public static IEnumerable<string> Names => Effects.Keys;
 
-    /// <summary>True for an effect that may act for a part of the time; one that says itself when it acts may not.</summary>
+    /// <summary>True for an effect that may act for a part of the time; an effect with a time of its own may not.</summary>
     public static bool HasWindow(string name) => name is not (PerStep or Impulse);
 
-    /// <summary>Puts an effect's form through its reader.</summary>
+    /// <summary>Reads an effect's form by its reader.</summary>
     public static void Fill(string name, Form form) => Effects[name](form);
 
     /// <summary>Adds the effect to the body.</summary>
@@ -80,7 +80,7 @@ internal static class EffectReader
         place.Make(() => add(new Window(body, from?.Number() ?? 0, to?.Number() ?? double.PositiveInfinity)));
     }
 
-    /// <summary>How the table reads an effect that pushes.</summary>
+    /// <summary>The reader of an effect that pushes.</summary>
     internal static Func<Form, Func<Window, BodyDescription>> Push<TPush>(Func<Form, TPush> read) where TPush : struct, IPush =>
         Effect(read, (window, push) => window.Body.With(push, window.From, window.To));
 
@@ -107,6 +107,6 @@ internal static class EffectReader
 
     private static DecayPerStep Same(double factor) => new(factor, factor);
 
-    /// <summary>To which body an effect is added, and when it acts.</summary>
+    /// <summary>The body to which an effect is added, and the time in which it acts.</summary>
     internal readonly record struct Window(BodyDescription Body, double From, double To);
 }

@@ -3,7 +3,7 @@ using RigidBodyDynamics.Lab.Meshes;
 
 namespace RigidBodyDynamics.Lab;
 
-/// <summary>The fields of a JSON object. Each is taken by name; what nobody took is unknown and refused.</summary>
+/// <summary>The fields of a JSON object. Each is taken by name; a field that is not taken is unknown and refused.</summary>
 internal sealed class Fields
 {
     private readonly List<string> _known = [];
@@ -14,7 +14,7 @@ internal sealed class Fields
     public Fields(Place place)
     {
         Place = place.Value.ValueKind == JsonValueKind.Object ? place : throw place.Not("an object { … }");
-        // looked through once a name: in the document itself that takes ten times as long
+        // copied once, because a search in the document takes ten times as long
         _all = new (string, JsonElement)[place.Value.GetPropertyCount()];
         int i = 0;
         foreach (JsonProperty field in place.Value.EnumerateObject())
@@ -23,16 +23,16 @@ internal sealed class Fields
         }
     }
 
-    /// <summary>Where the object stands.</summary>
+    /// <summary>The place of the object.</summary>
     public Place Place { get; }
 
-    /// <summary>The meshes that the whole file names.</summary>
+    /// <summary>The meshes of the whole file.</summary>
     public MeshShelf Meshes => Place.Above is Fields above ? above.Meshes : _meshes ??= new MeshShelf();
 
-    /// <summary>A field that must be there.</summary>
+    /// <summary>A required field.</summary>
     public Place Required(string name) => Optional(name) ?? throw Place.Wrong($"\"{name}\" is missing");
 
-    /// <summary>A field that may be there.</summary>
+    /// <summary>An optional field.</summary>
     public Place? Optional(string name)
     {
         _known.Add(name);
@@ -47,22 +47,22 @@ internal sealed class Fields
         return null;
     }
 
-    /// <summary>What a field says, or a default.</summary>
+    /// <summary>The value of a field, or a default.</summary>
     public T Or<T>(string name, T otherwise, Func<Place, T> read) => Optional(name) is Place place ? read(place) : otherwise;
 
-    /// <summary>A field that may be there only under a condition.</summary>
+    /// <summary>A field that is optional under a condition, and refused otherwise.</summary>
     public Place? OnlyIf(bool condition, string name, string why)
     {
         Place? field = Optional(name);
         return field == null || condition ? field : throw field.Value.Wrong(why);
     }
 
-    /// <summary>The fields that nobody has taken yet.</summary>
+    /// <summary>The fields that have not been taken yet.</summary>
     public IReadOnlyList<(string Name, Place Place)> Rest() =>
         [.. _all.Where(field => !_known.Contains(field.Name)).Select(field => (field.Name, At(field.Name, field.Value)))];
 
-    /// <summary>All has been taken: any other field is refused.</summary>
-    /// <param name="alsoKnown">Names that could have stood here beside those that were asked for.</param>
+    /// <summary>Refuses any field that has not been taken.</summary>
+    /// <param name="alsoKnown">Names that are possible here, in addition to those that were read.</param>
     public void End(params IEnumerable<string> alsoKnown)
     {
         foreach ((string name, JsonElement value) in _all)

@@ -3,12 +3,12 @@ using RigidBodyDynamics.Lab.Meshes;
 namespace RigidBodyDynamics.Lab;
 
 /// <summary>
-/// A value of a scene file, as the tables of effects and of kinds of inertia say what it is. One kind of form reads it; another, of the tests, writes the JSON Schema,
-/// so that what is read and what an editor is told are said once.
+/// A value of a scene file, as the tables of effects and of kinds of inertia describe it. One kind of form reads it; another, of the tests, writes the JSON
+/// Schema, so that reader and schema have one source.
 /// </summary>
 internal abstract class Form
 {
-    /// <summary>A number; its bounds are refused by what is made of it.</summary>
+    /// <summary>A number; the object made from it refuses numbers out of its bounds.</summary>
     public abstract double Number(string about, double least = double.NegativeInfinity, double most = double.PositiveInfinity);
 
     /// <summary>[x, y, z].</summary>
@@ -29,16 +29,16 @@ internal abstract class Form
     /// <summary>A list of [x, y, z].</summary>
     public abstract Vector3d[] Vectors(string about, int least = 0);
 
-    /// <summary>A list of what is a part of a body, at least one.</summary>
+    /// <summary>A list of parts of a body, at least one.</summary>
     public abstract T[] Parts<T>(string about, Func<Fields, T> read);
 
-    /// <summary>What is made of a mesh; the name of its file, beside the scene.</summary>
+    /// <summary>An object made from a mesh; the value is the name of its file, beside the scene.</summary>
     public abstract T Mesh<T>(string about, Func<MeshFile, T> read);
 
     /// <summary>One of some words; returns its number.</summary>
     public abstract int OneOf(string about, params string[] words);
 
-    /// <summary>An object that has the fields which are read of it, and no other.</summary>
+    /// <summary>An object with the fields that are read, and no other.</summary>
     public abstract T Object<T>(string about, Func<Form, T> read);
 
     /// <summary>A number or an object.</summary>
@@ -47,28 +47,28 @@ internal abstract class Form
     /// <summary>[x, y, z] or an object.</summary>
     public abstract T VectorOrObject<T>(string about, Func<Form, T> vector, Func<Form, T> fields);
 
-    /// <summary>A field of this object that must be there.</summary>
+    /// <summary>A required field of this object.</summary>
     public abstract Form this[string field] { get; }
 
-    /// <summary>A field of this object that may be there.</summary>
+    /// <summary>An optional field of this object.</summary>
     public abstract T Or<T>(string field, T otherwise, Func<Form, T> read);
 
-    /// <summary>[x, y, z] in a field that may be there; zero where it is not.</summary>
+    /// <summary>[x, y, z] in an optional field; zero where it is absent.</summary>
     public Vector3d OptionalVector(string field, string about) => Or(field, Vector3d.Zero, vector => vector.Vector(about));
 
-    /// <summary>The number of one of some words in a field that may be there; 0 where it is not.</summary>
+    /// <summary>The number of one of some words in an optional field; 0 where it is absent.</summary>
     public int OptionalOneOf(string field, string about, params string[] words) => Or(field, 0, word => word.OneOf(about, words));
 
-    /// <summary>Whether this object has a field that may be there.</summary>
+    /// <summary>True if this object has an optional field.</summary>
     public abstract bool Has(string field);
 }
 
-/// <summary>A form that reads what stands at a place.</summary>
+/// <summary>A form that reads the value at a place.</summary>
 internal sealed class FilledForm(Place place) : Form
 {
     private Fields? _fields;
 
-    /// <summary>A form that reads an object of which some fields are known already.</summary>
+    /// <summary>A form that reads an object some of whose fields are already taken.</summary>
     public FilledForm(Fields fields) : this(fields.Place) => _fields = fields;
 
     private Fields Known => _fields ??= place.Fields();
@@ -110,7 +110,7 @@ internal sealed class FilledForm(Place place) : Form
         }
         catch (InputException wrong)
         {
-            // the file as the scene calls it, and the place where it does
+            // the file as named in the scene, and the place of that name
             throw place.Wrong(wrong.Message.Replace(path, name, StringComparison.Ordinal));
         }
     }

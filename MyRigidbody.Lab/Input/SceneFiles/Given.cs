@@ -3,17 +3,17 @@ using System.Text.Json;
 
 namespace RigidBodyDynamics.Lab;
 
-/// <summary>What a body says beside its inertia, what is made of numbers with that, and what is to be said of it.</summary>
+/// <summary>The fields of a body beside its inertia, the mass properties made from numbers with them, and the notes about that.</summary>
 /// <param name="Mass">kg.</param>
 /// <param name="Center">The centre of mass, body frame, m.</param>
-/// <param name="About">The word that says that the inertia is about the origin; null if it is about the centre of mass.</param>
-/// <param name="Depth">In how many compounds it is a part.</param>
+/// <param name="About">The word for an inertia about the origin; null if it is about the centre of mass.</param>
+/// <param name="Depth">The number of compounds that contain it.</param>
 internal sealed record Given(double Mass, Vector3d Center, Place? About, int Depth)
 {
-    // what the library takes for rounding, and nobody needs to hear of
+    // the library's tolerance for rounding, below which no note is needed
     private const double Unsaid = 1e-9;
 
-    /// <summary>Where the numbers stand; null where a form is only described.</summary>
+    /// <summary>The place of the numbers; null where a form is only described.</summary>
     public Place? Shape { get; set; }
 
     /// <summary>The solid box of a box of vertices.</summary>
@@ -39,7 +39,7 @@ internal sealed record Given(double Mass, Vector3d Center, Place? About, int Dep
         }
     }
 
-    /// <summary>The nearest body, where the numbers break the triangle of moments by no more than their digits allow; null where they do not, or by more.</summary>
+    /// <summary>The nearest possible body, where the moments violate the triangle inequality by no more than their digits explain; else null.</summary>
     private MassProperties? Rounded(Vector3d moments, Quaterniond frame, Quaterniond inTyped)
     {
         double largest = Math.Max(moments.X, Math.Max(moments.Y, moments.Z)), excess = largest - (moments.X + moments.Y + moments.Z - largest);

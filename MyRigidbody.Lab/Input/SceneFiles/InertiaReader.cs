@@ -1,23 +1,23 @@
 namespace RigidBodyDynamics.Lab;
 
 /// <summary>
-/// Reads mass, inertia and centre of mass of a body, or of a part of one. A new kind of inertia is one line in the table, which says its form,
-/// and the schema is made of it.
+/// Reads mass, inertia and centre of mass of a body, or of a part of one. A new kind of inertia is one line in the table, which states its
+/// form; the schema is made from it.
 /// </summary>
 internal static class InertiaReader
 {
-    // compounds in compounds; no drawing goes deeper, and the stack does not care
+    // nesting of compounds; enough for any drawing, and safe for the stack
     private const int Deepest = 8;
 
-    // a mass beside masses may be rounded in the file, no more
+    // the sum of masses may be rounded in the file, no more
     private const double SameMass = 1e-9;
 
-    // a tensor as URDF and SDF name its numbers
+    // the names of a tensor's numbers in URDF and SDF
     private static readonly string[] Robots = ["ixx", "iyy", "izz", "ixy", "ixz", "iyz"];
     private static readonly string[] Axes = ["x", "y", "z"];
     private static readonly Vector3d Ones = new(1, 1, 1);
 
-    // of a file with many bodies of which little is said, most would be copies of it
+    // shared, because a file with many bodies of which little is given would hold many copies
     private static readonly MassProperties UnitBox = Solids.Box(1, Ones);
 
     private static readonly Dictionary<string, Kind> Kinds = new()
@@ -50,7 +50,7 @@ internal static class InertiaReader
             : throw Guard.Refused("compound", given.Depth + 1, $"must not be nested deeper than {Deepest}"), Beside.Nothing),
     };
 
-    /// <summary>What may stand in the body beside an inertia, which may say it already.</summary>
+    /// <summary>The field that a body may have beside an inertia, unless the inertia gives it already.</summary>
     [Flags]
     private enum Beside
     {
@@ -67,10 +67,10 @@ internal static class InertiaReader
 
     private static string Numeric => string.Join(" and ", Names.Where(name => (Kinds[name].Beside & Beside.About) != 0));
 
-    /// <summary>Puts the form of a kind through its reader.</summary>
+    /// <summary>Reads the form of a kind by its reader.</summary>
     public static void Fill(string name, Form form) => form.Object(Kinds[name].About, of => Kinds[name].Read(of, new Given(1, Vector3d.Zero, null, 0)));
 
-    /// <summary>What the fields of a body say, or of a part, which has no name.</summary>
+    /// <summary>Reads the fields of a body, or of a part, which has no name.</summary>
     public static BodyInertia Read(Fields body, string? name, int depth = 0)
     {
         try
@@ -185,10 +185,10 @@ internal static class InertiaReader
     private sealed record Kind(string About, Func<Form, Given, MassProperties> Read, Beside Beside = Beside.MassAndCenter);
 }
 
-/// <summary>Mass, inertia and centre of mass of a body as its file says them.</summary>
+/// <summary>Mass, inertia and centre of mass of a body as given in its file.</summary>
 /// <param name="Mass">The mass properties.</param>
 /// <param name="SolidBox">For a box of vertices: those of the solid box.</param>
-/// <param name="Kind">What it is given as.</param>
+/// <param name="Kind">The kind of the inertia.</param>
 /// <param name="IsOfNumbers">True if moments are given as numbers, which may be about any point; a shape is about its centre of mass.</param>
-/// <param name="Notes">What the user should know of it.</param>
+/// <param name="Notes">Notes for the user.</param>
 internal sealed record BodyInertia(MassProperties Mass, MassProperties? SolidBox, string Kind, bool IsOfNumbers, IReadOnlyList<string> Notes);

@@ -3,7 +3,7 @@ using System.Text.Unicode;
 
 namespace RigidBodyDynamics.Lab;
 
-/// <summary>Reads a JSON file; whatever is wrong with it becomes one line.</summary>
+/// <summary>Reads a JSON file; any error in it is one line.</summary>
 internal static class JsonFile
 {
     private static readonly JsonDocumentOptions Options = new()
@@ -35,7 +35,7 @@ internal static class JsonFile
         }
         catch (InvalidOperationException)
         {
-            // half a surrogate pair, escaped: the one text that passes as JSON and is none
+            // half a surrogate pair, escaped: the one text that is valid JSON and not valid Unicode
             throw new InputException($"{path}: has a name or text that is not valid Unicode");
         }
     }

@@ -2,21 +2,21 @@ using System.Numerics;
 
 namespace RigidBodyDynamics.Lab;
 
-/// <summary>Many bodies of a scene that differ in their starts alone: <c>"count"</c>, <c>"seed"</c> and <c>"spread"</c>.</summary>
-/// <param name="Body">What each of them is, and where the one in the middle starts.</param>
-/// <param name="Count">How many there are.</param>
+/// <summary>Many bodies of a scene that differ only in their starts: <c>"count"</c>, <c>"seed"</c> and <c>"spread"</c>.</summary>
+/// <param name="Body">The common description, with the start in the middle of the spread.</param>
+/// <param name="Count">Their number.</param>
 /// <param name="Spread">How their starts differ.</param>
 internal sealed record ManyBodies(BodyDescription Body, int Count, Spread Spread)
 {
-    /// <summary>A scene may have so many bodies of one kind.</summary>
+    /// <summary>The largest number of bodies of one kind.</summary>
     public const int Most = 10_000_000;
 
-    // of fewer it is not worth while to try how much they take
+    // below this number their memory is not measured
     private const int Many = 100_000, Tried = 4096;
 
     private const double BytesOfHandle = 100;
 
-    /// <summary>Reads what a body says of its number; null if it is one.</summary>
+    /// <summary>Reads the count of a body; null if it is one body.</summary>
     public static ManyBodies? Read(Fields fields, BodyDescription body)
     {
         Place? count = fields.Optional("count");
@@ -42,7 +42,7 @@ internal sealed record ManyBodies(BodyDescription Body, int Count, Spread Spread
         return new ManyBodies(body, (int)number, spread);
     }
 
-    /// <summary>The bodies of a scene: those that stand alone, and then those in numbers.</summary>
+    /// <summary>The bodies of a scene: first the single ones, then those with a count.</summary>
     public static Simulation Simulate(SceneDescription scene, IReadOnlyDictionary<string, ManyBodies> crowds)
     {
         Memory.MustHold("bodies", crowds.Values.Where(crowd => crowd.Count > Many).Sum(crowd => crowd.Bytes(scene.Steps)));
@@ -55,7 +55,7 @@ internal sealed record ManyBodies(BodyDescription Body, int Count, Spread Spread
         return simulation;
     }
 
-    /// <summary>The scene with the first of those in numbers in the place of the one in the middle, which nobody runs.</summary>
+    /// <summary>The scene with the first of each crowd in place of its middle body, which is not simulated.</summary>
     public static SceneDescription WithFirst(SceneDescription scene, IReadOnlyDictionary<string, ManyBodies> crowds) => new(
         scene.Name, scene.About, scene.Steps, [.. scene.Bodies.Select(body => crowds.TryGetValue(body.Name, out ManyBodies? crowd) ? crowd.Start(0) : body)]);
 
@@ -82,14 +82,14 @@ internal sealed record ManyBodies(BodyDescription Body, int Count, Spread Spread
     private void Place(BodyDescription body, int number)
     {
         body.Start = Spread.Of(Body.Start, number);
-        // one that turns as the body in the middle keeps its very numbers in body axes
+        // one with the orientation and ω of the middle body keeps exactly its numbers in body axes
         if (body.Start.Orientation == Body.Start.Orientation && body.Start.AngularVelocity == Body.Start.AngularVelocity)
         {
             body.AngularVelocityInBody = Body.AngularVelocityInBody;
         }
     }
 
-    /// <summary>What they take, as a few of their kind do, whose columns have grown by doubling: half of what they took is left behind.</summary>
+    /// <summary>Their memory, measured on a few of their kind; columns grow by doubling, so half of it is unused.</summary>
     private double Bytes(TimeSteps steps)
     {
         Simulation few = new(steps);

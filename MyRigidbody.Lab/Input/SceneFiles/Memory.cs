@@ -2,19 +2,19 @@ using System.Globalization;
 
 namespace RigidBodyDynamics.Lab;
 
-/// <summary>What a scene will take, before any of it is taken.</summary>
+/// <summary>The memory that a scene needs, before any of it is allocated.</summary>
 internal static class Memory
 {
     // measured with 10 and 100 bodies of 1000 windows each: 75 bytes for every effect in every stretch in which it acts
     private const double BytesOfEffect = 75, BytesOfStretch = 250;
 
-    /// <summary>What this process may have, bytes: of the machine, the container or the runtime's limit.</summary>
+    /// <summary>The memory available to this process, bytes: of the machine, the container or the runtime's limit.</summary>
     public static double Available => GC.GetGCMemoryInfo().TotalAvailableMemoryBytes;
 
-    /// <summary>Refuses what cannot fit.</summary>
-    /// <param name="what">What it is.</param>
-    /// <param name="bytes">What it takes.</param>
-    /// <exception cref="ArgumentException">It takes more than there is.</exception>
+    /// <summary>Refuses what needs more memory than there is.</summary>
+    /// <param name="what">Its name in the message.</param>
+    /// <param name="bytes">The memory it needs.</param>
+    /// <exception cref="ArgumentException">It needs more than there is.</exception>
     public static void MustHold(string what, double bytes)
     {
         if (bytes > Available && Available > 0)
@@ -24,7 +24,7 @@ internal static class Memory
         }
     }
 
-    /// <summary>What the stretches of a body take: time is cut where an effect begins or ends, and each stretch has all that acts in it.</summary>
+    /// <summary>The memory of the stretches of a body: time is cut where an effect begins or ends, and each stretch stores its effects.</summary>
     public static double OfStretches(BodyDescription body, TimeSteps steps)
     {
         if (body.Effects.Count < 2)
@@ -32,7 +32,7 @@ internal static class Memory
             return BytesOfStretch;
         }
 
-        // how many begin there, less those that end
+        // how many effects begin there, less those that end
         SortedDictionary<long, int> changes = [];
         foreach (Effect effect in body.Effects)
         {

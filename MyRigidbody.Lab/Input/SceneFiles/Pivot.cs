@@ -1,8 +1,8 @@
 namespace RigidBodyDynamics.Lab;
 
 /// <summary>
-/// The pivot of a heavy top, the origin of the body frame: what turns about it is the inertia about it, three more times that of a rod about its
-/// middle. A scene says about which point its inertia is, or says enough to know.
+/// The pivot of a heavy top, the origin of the body frame: its motion depends on the inertia about it, which is four times that of a rod about
+/// its middle. A scene states the point of its inertia, or enough to derive it.
 /// </summary>
 internal static class Pivot
 {
@@ -13,20 +13,20 @@ internal static class Pivot
 
     private static readonly string[] Points = ["pivot", "centerOfMass"];
 
-    // an axis typed in six digits points to the centre of mass
+    // an axis typed with six digits points to the centre of mass within this angle
     private const double Aside = 1e-5;
 
-    /// <summary>The effect's form, after the field that names the point.</summary>
+    /// <summary>The form of the effect, after the field that names the point.</summary>
     public static Form Named(Form of)
     {
         of.OptionalOneOf(Point, "The point that the body's inertia is about; the pivot is the origin of the body frame", Points);
         return of;
     }
 
-    /// <summary>The body with its inertia about the pivot, if it has one; otherwise as it is.</summary>
-    /// <param name="fields">The fields of the body, of which all effects have been read.</param>
+    /// <summary>The body with its inertia about the pivot, if it has one; otherwise unchanged.</summary>
+    /// <param name="fields">The fields of the body, after all effects have been read.</param>
     /// <param name="body">The body with its effects.</param>
-    /// <param name="inertia">Its inertia as given; what is about the pivot comes out.</param>
+    /// <param name="inertia">Its inertia as given; becomes the one about the pivot.</param>
     public static BodyDescription Hold(Fields fields, BodyDescription body, ref BodyInertia inertia)
     {
         Place[] tops = [.. Tops(fields)];

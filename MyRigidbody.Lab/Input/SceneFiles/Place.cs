@@ -3,22 +3,22 @@ using System.Text.Json;
 
 namespace RigidBodyDynamics.Lab;
 
-/// <summary>A value in a JSON file that knows where it stands.</summary>
-/// <param name="File">The file, as the user called it.</param>
-/// <param name="Above">The object in which it stands; null for the whole file.</param>
-/// <param name="Name">The name before it; empty for the whole file.</param>
-/// <param name="Value">What stands there.</param>
-/// <param name="Index">Its number if it stands in a list of that name.</param>
-/// <param name="Inner">Its number if it stands in a list within that list.</param>
+/// <summary>A value in a JSON file, with its place.</summary>
+/// <param name="File">The file, as typed.</param>
+/// <param name="Above">The object that contains it; null for the whole file.</param>
+/// <param name="Name">The name of its field; empty for the whole file.</param>
+/// <param name="Value">The value.</param>
+/// <param name="Index">Its number in a list of that name.</param>
+/// <param name="Inner">Its number in a list within that list.</param>
 internal readonly record struct Place(string File, Fields? Above, string Name, JsonElement Value, int? Index = null, int? Inner = null)
 {
-    /// <summary>Names may have so many characters.</summary>
+    /// <summary>The largest number of characters of a name.</summary>
     public const int LongestName = 1000;
 
     private const int MostShown = 40;
 
     /// <summary>For instance <c>bodies[0].effects[2].from</c>; empty for the whole file.</summary>
-    /// <remarks>Put together only when something is wrong: a file may hold millions of places.</remarks>
+    /// <remarks>Built only for an error, because a file may hold millions of places.</remarks>
     public string Path
     {
         get
@@ -28,10 +28,10 @@ internal readonly record struct Place(string File, Fields? Above, string Name, J
         }
     }
 
-    /// <summary>The error that says what is wrong here.</summary>
+    /// <summary>The error at this place.</summary>
     public InputException Wrong(string what) => new(Path.Length > 0 ? $"{File}: {Path}: {what}" : $"{File}: {what}");
 
-    /// <summary>The error that says what should stand here instead of what does.</summary>
+    /// <summary>The error that says what is expected here, and what was found.</summary>
     public InputException Not(string expected) => Wrong($"must be {expected}, found {Found}");
 
     /// <summary>A finite number.</summary>
@@ -59,7 +59,7 @@ internal readonly record struct Place(string File, Fields? Above, string Name, J
     /// <summary>A text.</summary>
     public string Text() => Value.ValueKind == JsonValueKind.String ? Value.GetString()! : throw Not("a text");
 
-    /// <summary>A text that is written again and again: into every row of a table, into titles.</summary>
+    /// <summary>A text that is repeated: in every row of a table, in titles.</summary>
     public string ShortText() => Text() is string name && name.Length <= LongestName
         ? name
         : throw Wrong(string.Create(CultureInfo.InvariantCulture, $"must have at most {LongestName} characters, found {Text().Length}"));
@@ -75,7 +75,7 @@ internal readonly record struct Place(string File, Fields? Above, string Name, J
     public IEnumerable<Place> List(string of = "a list") =>
         Value.ValueKind == JsonValueKind.Array ? Items(this) : throw Not(of);
 
-    /// <summary>What is made of the values of a list.</summary>
+    /// <summary>Objects made from the values of a list.</summary>
     public T[] Items<T>(string of, Func<Place, T> read)
     {
         T[] items = new T[Value.ValueKind == JsonValueKind.Array ? Value.GetArrayLength() : throw Not(of)];
@@ -112,16 +112,16 @@ internal readonly record struct Place(string File, Fields? Above, string Name, J
     /// <summary>The fields of an object.</summary>
     public Fields Fields() => new(this);
 
-    /// <summary>Finds what is wrong with a body as a whole.</summary>
+    /// <summary>Finds errors in a body as a whole.</summary>
     public void Check(BodyDescription body, TimeSteps steps, IReadOnlyDictionary<string, string>? called = null) => Make(() =>
     {
         body.Check();
-        // what a rule refuses that rounds to single precision, and a mass that does not last; with all its effects, and for all rules,
-        // a simulation would be much larger than the file
+        // UnityRigidbody refuses what rounds to zero or infinity in single precision, and a mass may be used up; with all effects, and for all
+        // integrators, a simulation would be much larger than the file
         return body.Rule == Rules.UnityRigidbody || body.Effects.Any(effect => effect.Motion is MassRate) ? new Simulation(steps, OfMass(body)) : null;
     }, called);
 
-    /// <summary>The same body under nothing but what changes its mass, each in its place among the effects.</summary>
+    /// <summary>The same body with only the effects that change its mass, each in its place among the effects.</summary>
     private static BodyDescription OfMass(BodyDescription body)
     {
         BodyDescription bare = body.Copy(body.Name, body.Mass).Without(_ => true);
@@ -134,16 +134,16 @@ internal readonly record struct Place(string File, Fields? Above, string Name, J
         return bare;
     }
 
-    /// <summary>Tries something with what stands here; what is refused is an error of this place.</summary>
+    /// <summary>Runs something with this value; an exception of the library becomes an error of this place.</summary>
     public void Make(Action attempt) => Make(() =>
     {
         attempt();
         return true;
     });
 
-    /// <summary>Makes something of what stands here; what the library refuses is an error of this place.</summary>
-    /// <param name="make">What makes it.</param>
-    /// <param name="called">The names of fields that are not those of the library's arguments.</param>
+    /// <summary>Makes something from this value; an exception of the library becomes an error of this place.</summary>
+    /// <param name="make">Makes it.</param>
+    /// <param name="called">The names of fields that differ from the library's arguments.</param>
     public T Make<T>(Func<T> make, IReadOnlyDictionary<string, string>? called = null)
     {
         try
@@ -152,7 +152,7 @@ internal readonly record struct Place(string File, Fields? Above, string Name, J
         }
         catch (ArgumentException refused)
         {
-            // the library says "argument: rule, found value"; the argument may be a field of this object, or one beside it
+            // the library's message is "argument: requirement, found value"; the argument may be a field of this object, or one beside it
             string name = refused.ParamName ?? string.Empty;
             string rule = refused.Message.StartsWith(name + ": ", StringComparison.Ordinal) ? refused.Message[(name.Length + 2)..] : refused.Message;
             string argument = name.Split('[')[0], field = called?.GetValueOrDefault(argument) ?? argument;
@@ -183,7 +183,7 @@ internal readonly record struct Place(string File, Fields? Above, string Name, J
 
     private string Found => Shown(Value.GetRawText());
 
-    /// <summary>What was found, in one line that a reader can take in.</summary>
+    /// <summary>The value that was found, in one line of readable length.</summary>
     public static string Shown(string text)
     {
         string line = text.ReplaceLineEndings(" ");

@@ -8,7 +8,7 @@ internal static class SceneReader
     /// <summary>The schema of a scene.</summary>
     public const string Schema = "rigid-body-scene/1";
 
-    /// <summary>Reads the file for a command that takes bodies one by one.</summary>
+    /// <summary>Reads the file for a command that needs bodies one by one.</summary>
     public static SceneFile Read(string path)
     {
         SceneFile file = ReadWithCrowds(path);
@@ -17,7 +17,7 @@ internal static class SceneReader
             : throw new InputException($"{path}: bodies: only run and explain take a count, and \"{file.Crowds.Keys.First()}\" has one");
     }
 
-    /// <summary>Reads the file; all that can be wrong with it is an <see cref="InputException"/>.</summary>
+    /// <summary>Reads the file; any error in it is an <see cref="InputException"/>.</summary>
     public static SceneFile ReadWithCrowds(string path) => JsonFile.Read(path, root =>
     {
         Fields fields = root.Fields();
@@ -75,7 +75,7 @@ internal static class SceneReader
         return new SceneFile(list.File, new SceneDescription(name, about, steps, bodies), crowds, solidBoxes, null) { Meshes = fields.Meshes.Files, Notes = notes };
     }
 
-    /// <summary>The crowd one of whose bodies is called by a name, "b 0"; null if there is none.</summary>
+    /// <summary>The crowd one of whose bodies has this name, "b 0"; null if there is none.</summary>
     private static string? NamedLike(string name, Dictionary<string, ManyBodies> crowds)
     {
         int space = name.LastIndexOf(' ');

@@ -1,6 +1,6 @@
 'use strict';
 
-// Accuracy against time: a diagram for every motion, a line at the accuracy that is wanted, and the cheapest rule below it. The data
+// Accuracy against time: a diagram for every motion, a line at the desired accuracy, and the cheapest integrator below it. The data
 // stand in the page, or come later, and may come anew.
 (() => {
   const { colour, language, on } = report;
@@ -8,14 +8,14 @@
   const diagrams = [];
   let shown;
 
-  // told apart by those who see fewer colours, and by their markers without any
+  // distinguishable by colour-blind readers, and by their markers without colour
   const colours = ['#e69f00', '', '#56b4e9', '#999999', '#cc79a7', '#009e73', '#7a5195', '#0072b2', '#d55e00', '#b00020'];
   const symbols = ['circle-open', 'circle', 'square-open', 'square', 'diamond-open', 'diamond', 'triangle-up-open', 'triangle-up', 'triangle-down', 'x'];
-  // an error of nothing has no logarithm
+  // an error of zero has no logarithm
   const smallest = 1e-17;
   const short = value => value.toPrecision(3).replace(/\.?0+(e|$)/, '$1');
 
-  // as choose does: of those that cost the same within the clock's doubt, the first
+  // as in choose: of costs that the clock cannot separate, the first
   function cheapest(trials, wanted) {
     const below = trials.filter(([, , error]) => error < wanted);
     const least = Math.min(...below.map(([, , , cost]) => cost));

@@ -1,6 +1,6 @@
 'use strict';
 
-// A line for the file of --marks goes to the clipboard; where the browser does not let a file do that, it is marked to be copied.
+// Copies a line for the file of --marks to the clipboard; where the browser does not allow that to a file, the line is selected.
 for (const button of document.querySelectorAll('.copy')) {
   button.addEventListener('click', async () => {
     const line = button.previousElementSibling;

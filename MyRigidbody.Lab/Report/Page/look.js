@@ -1,6 +1,6 @@
 'use strict';
 
-// How the reader looks at the picture: camera, arrangement, what is drawn, by mouse, fingers and keys.
+// The view: camera, arrangement and drawn parts, controlled by mouse, touch and keys.
 (() => {
   const { word, stage } = report;
   const byId = id => document.getElementById(id);
@@ -12,7 +12,7 @@
   const { view, shown, short } = stage;
   const redraw = () => report.tell('view');
 
-  // what keys do wherever no control has them
+  // the keys, where no control has the focus
   report.keys = {};
   report.turns = {};
   document.addEventListener('keydown', event => {

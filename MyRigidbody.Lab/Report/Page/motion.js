@@ -35,7 +35,7 @@
 
   const at = (column, width, frame) => column.slice(width * frame, width * (frame + 1));
 
-  // the frame at a time or before it, and how far the time is on the way to the next
+  // the last frame up to a time, and the part of the interval to the next
   function between(t) {
     const { times } = report.data;
     let low = 0, high = times.length - 1;
@@ -70,7 +70,7 @@
   report.motion = {
     at, between, poseOf, extent,
     get end() { return report.data.times[report.data.times.length - 1]; },
-    // what scales are made for: as long as the motion is, or is expected to become
+    // the duration for scales: that of the motion, or the expected one
     get span() { return Math.max(this.end, report.data.span ?? 0); },
   };
   report.poseAt = t => report.data.bodies.map(body => poseOf(body, between(t)));

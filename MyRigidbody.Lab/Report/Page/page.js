@@ -1,6 +1,6 @@
 'use strict';
 
-// What all parts of the page share: the data, the language, the theme.
+// Shared by all parts of the page: the data, the language, the theme.
 window.report = (() => {
   const root = document.documentElement;
   const first = JSON.parse(document.getElementById('data').textContent);
@@ -73,7 +73,7 @@ window.report = (() => {
   });
   dark.addEventListener('change', () => choice().has('theme') || setTheme(dark.matches ? 'dark' : 'light'));
 
-  // a phone cuts a wide table off, and shows no bar by which one could see it
+  // a phone shows no scroll bar beside a table that is too wide
   const isCut = new ResizeObserver(tables => tables.forEach(({ target }) => {
     target.previousElementSibling.hidden = target.scrollWidth <= target.clientWidth + 1;
   }));

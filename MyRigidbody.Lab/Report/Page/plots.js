@@ -13,7 +13,7 @@
   const rowHeight = 165, space = 0.2;
   const dashes = ['solid', 'dash', 'dot', 'dashdot'];
   const symbols = ['circle', 'square-open', 'diamond', 'x', 'triangle-up', 'star'];
-  // of a motion that grows a curve has no more points than can be drawn while it is watched
+  // while a motion grows, a curve has no more points than can be drawn in time
   const mostPoints = 1500, pause = 500;
 
   // which moments are drawn

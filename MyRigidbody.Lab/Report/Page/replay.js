@@ -1,6 +1,6 @@
 'use strict';
 
-// The replay: time, and what the reader does with it. A motion that grows is made as far as it is watched.
+// The replay: time and its controls. A motion that grows is computed as far as it is shown.
 (() => {
   const { word, motion, stage } = report;
   const byId = id => document.getElementById(id);
@@ -8,7 +8,7 @@
     return;
   }
 
-  // wanted: where the reader would be if the motion had got there
+  // wanted: the time that the reader has chosen, which the motion may not have reached
   let time = 0, wanted = 0, playing = false, changed = true, speeds = [];
 
   // ---- what stands around the picture ----
@@ -111,7 +111,7 @@
   }
 
   function begin() {
-    // once through takes 3 to 40 s at the speed of nature, or is made to
+    // one replay takes 3 to 40 s, in real time where possible
     const natural = motion.span >= 3 && motion.span <= 40 ? 1 : stage.round125(motion.span / 15);
     speeds = [0.1, 0.2, 0.5, 1, 2, 5].map(factor => +(factor * natural).toPrecision(3));
     report.options('speed', speeds.map(speed => [String(speed), '× ' + speed]), String(speeds[3]));

@@ -1,6 +1,6 @@
 'use strict';
 
-// Vectors, turns, a camera, and boxes drawn with them on a canvas. Axes as in Unity: x to the right, y up, z away.
+// Vectors, rotations, a camera, and boxes drawn with them on a canvas. Axes as in Unity: x to the right, y up, z away.
 report.solid = (() => {
   const add = (a, b) => [a[0] + b[0], a[1] + b[1], a[2] + b[2]];
   const scale = (k, a) => [k * a[0], k * a[1], k * a[2]];
@@ -9,7 +9,7 @@ report.solid = (() => {
   const length = a => Math.hypot(...a);
   const mirror = a => [a[0], a[1], -a[2]];
 
-  // a turn is [w, x, y, z]
+  // a rotation is [w, x, y, z]
   const conjugate = q => [q[0], -q[1], -q[2], -q[3]];
 
   function turn(q, v) {
@@ -30,7 +30,7 @@ report.solid = (() => {
     return turn(toWorld, inBody.map((w, i) => w * body.moments[i]));
   }
 
-  // Looks at a target from yaw and pitch; what lies within the radius fills a rectangle [x, y, width, height].
+  // A camera at yaw and pitch around a target; the radius around it fills a rectangle [x, y, width, height].
   function camera(view, target, radius, [x, y, width, height]) {
     const [sinYaw, cosYaw, sinPitch, cosPitch] = [Math.sin(view.yaw), Math.cos(view.yaw), Math.sin(view.pitch), Math.cos(view.pitch)];
     const back = [sinYaw * cosPitch, sinPitch, cosYaw * cosPitch];
@@ -41,7 +41,7 @@ report.solid = (() => {
     const near = 0.05 * far;
     const from = mirror(target);
 
-    // a point of the scene as [x, y, depth] on the canvas; null behind the eye
+    // a point of the scene as [x, y, depth] on the canvas; null behind the camera
     function project(point) {
       const seen = add(mirror(point), scale(-1, from));
       const depth = far - dot(seen, back);
@@ -52,7 +52,7 @@ report.solid = (() => {
       return [x + width / 2 + focus * dot(seen, right) / depth, y + height / 2 - focus * dot(seen, up) / depth, depth];
     }
 
-    // true if a face with this middle and normal is turned to the eye
+    // true if a face with this middle and normal faces the camera
     const faces = (middle, normal) =>
       dot(add(scale(far, back), add(from, scale(-1, mirror(middle)))), mirror(normal)) > 0;
     const light = normal => Math.max(0, dot(mirror(normal), add(scale(0.5, back), add(scale(0.7, up), scale(-0.3, right)))));
@@ -70,7 +70,7 @@ report.solid = (() => {
     points.forEach(([x, y], i) => (i === 0 ? context.moveTo(x, y) : context.lineTo(x, y)));
   }
 
-  // A box: the faces that are turned to the eye, shaded; those along + axes carry the name of the axis.
+  // A box: the faces towards the camera, shaded; those along + axes carry the name of the axis.
   function drawBox(context, eye, body, middle, orientation, colour, edgeColour) {
     const axes = [0, 1, 2].map(i => turn(product(orientation, body.boxFrame), [0, 1, 2].map(j => (i === j ? body.edges[i] / 2 : 0))));
     const names = Math.abs(body.boxFrame[0]) > 0.9999 ? 'xyz' : '123';

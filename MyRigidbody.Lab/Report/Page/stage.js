@@ -13,7 +13,7 @@
   const context = canvas.getContext('2d');
   const trailPoints = 500;
 
-  // what the reader has chosen; yaw, pitch and zoom of the camera
+  // the reader's choices; yaw, pitch and zoom of the camera
   const firstView = { yaw: 0.45, pitch: 0.35, zoom: 1 };
   const view = { ...firstView };
   const shown = { camera: 'all', arrange: 'side', trails: true, arrows: true, closeUps: true };
@@ -52,7 +52,7 @@
     return [scale(0.5, add(low, high)), 0.5 * length(add(high, scale(-1, low))) + 0.8 * extent.size];
   }
 
-  // points of the way of a body, up to a moment
+  // points of the path of a body, up to a moment
   function path(i, moments) {
     const points = [], every = Math.max(1, Math.ceil(times.length / trailPoints)), shift = moved(i);
     for (let frame = 0; frame < moments; frame += every) {
@@ -81,7 +81,7 @@
     context.strokeStyle = strokeStyle;
     context.lineWidth = width;
     context.setLineDash(dash);
-    // parts of it may lie behind the eye
+    // parts of it may be behind the camera
     context.beginPath();
     let isDown = false;
     for (const point of points) {
@@ -166,7 +166,7 @@
     });
   }
 
-  // each of the first bodies near by, however far apart they are
+  // a close-up of each of the first bodies, however far apart they are
   function drawCloseUps(poses, width, height) {
     const shown = Math.min(bodies.length, width < 500 ? 2 : 4);
     const side = Math.min(0.3 * height, (width - 16) / shown - 8, 170);
@@ -192,7 +192,7 @@
 
   }
 
-  // which way x, y and z are
+  // the directions of x, y and z
   function drawAxes(height) {
     const eye = solid.camera({ ...view, zoom: 1 }, [0, 0, 0], 1.5, [4, height - 84, 70, 70]);
     for (const [name, axis] of [['x', [1, 0, 0]], ['y', [0, 1, 0]], ['z', [0, 0, 1]]]) {

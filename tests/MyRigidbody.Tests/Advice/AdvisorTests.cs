@@ -33,7 +33,7 @@ public sealed class AdvisorTests
     [TestCase(1e-3)]
     [TestCase(1e-5)]
     [TestCase(1e-9)]
-    public void Spring_that_swings_in_time_with_whole_seconds_is_as_near_as_promised_at_every_step(double error)
+    public void Spring_that_oscillates_in_phase_with_whole_seconds_keeps_the_bound_at_every_step(double error)
     {
         const double stiffness = 315.82734083485946, mass = 2, duration = 20;
         BodyState start = new(new Vector3d(0, 0.5, 0), Quaterniond.Identity, Vector3d.Zero, Vector3d.Zero);
@@ -59,7 +59,7 @@ public sealed class AdvisorTests
 
     // after 20 s it is where it was, so an integrator that does not move it at all is right at that time
     [Test]
-    public void Step_into_which_a_swing_fits_is_looked_into()
+    public void Step_as_long_as_an_oscillation_is_sampled_within()
     {
         BodyDescription body = new BodyDescription("ball", Solids.Sphere(2, 0.5)) { Start = new BodyState(new Vector3d(0.5, 0, 0), Quaterniond.Identity, Vector3d.Zero, Vector3d.Zero) }
             .With(new Spring(Vector3d.Zero, Vector3d.Zero, 315.82734083485946));
@@ -72,7 +72,7 @@ public sealed class AdvisorTests
     }
 
     [Test]
-    public void Runner_up_moves_by_another_rule_and_keeps_the_bound_too()
+    public void Runner_up_moves_by_another_integrator_and_keeps_the_bound_too()
     {
         Advice advice = Advisor.Choose(Fall(), 0.1);
 
@@ -117,7 +117,7 @@ public sealed class AdvisorTests
         Throws.InstanceOf<ArgumentOutOfRangeException>().With.Message.StartsWith("error: must be finite and above zero"));
 
     [Test]
-    public void Rule_that_runs_away_has_an_infinite_error_and_an_infinite_cost()
+    public void Integrator_that_diverges_has_an_infinite_error_and_an_infinite_cost()
     {
         BodyState start = new(new Vector3d(1, 0, 0), Quaterniond.Identity, Vector3d.Zero, Vector3d.Zero);
         BodyDescription body = new BodyDescription("ball", Solids.Sphere(1, 0.5)) { Start = start }

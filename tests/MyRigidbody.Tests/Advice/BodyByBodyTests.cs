@@ -39,7 +39,7 @@ public sealed class BodyByBodyTests
     }
 
     [Test]
-    public void Body_that_no_rule_keeps_is_said_to_be_so_and_the_others_have_their_answer()
+    public void Body_for_which_no_integrator_keeps_the_bound_is_named_and_the_others_have_their_answer()
     {
         // x'' = 100 x: e^40 in 4 s
         BodyState start = new(new Vector3d(1e-3, 0, 0), Quaterniond.Identity, Vector3d.Zero, Vector3d.Zero);

@@ -10,7 +10,7 @@ public sealed class CostInTimeTests
     private const double NoTime = 1e-6;
 
     [Test]
-    public void Without_time_every_rule_is_still_tried_in_the_step_of_a_game()
+    public void Without_time_every_integrator_is_still_tried_in_the_step_of_a_game()
     {
         CostFindings found = CostInTime.Of(Tumbling(), NoTime, _ => { });
 

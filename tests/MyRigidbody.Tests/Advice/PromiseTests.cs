@@ -13,7 +13,7 @@ public sealed class PromiseTests
     private static IEnumerable<int> Scenes => Enumerable.Range(0, int.Parse(TestContext.Parameters.Get("scenes", "12")));
 
     [TestCaseSource(nameof(Scenes))]
-    public void Rule_and_step_that_are_advised_keep_the_error(int number)
+    public void Integrator_and_step_that_are_advised_keep_the_error(int number)
     {
         RandomChoice choice = RandomChoice.Of(number);
         using TemporaryFolder folder = new();

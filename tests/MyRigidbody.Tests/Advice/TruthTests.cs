@@ -9,7 +9,7 @@ public sealed class TruthTests
     private static readonly Vector3d Down = new(0, -9.81, 0);
 
     [Test]
-    public void Fall_is_off_the_closed_form_by_no_more_than_it_says()
+    public void Error_of_a_fall_is_no_larger_than_its_stated_uncertainty()
     {
         BodyDescription body = Ball(new BodyState(new Vector3d(1, 2, 3), Quaterniond.Identity, new Vector3d(4, 5, 0), Vector3d.Zero)).With(new Gravity(Down));
         Truth truth = Truth.Of(SceneOf(3, body));
@@ -65,7 +65,7 @@ public sealed class TruthTests
     }
 
     [Test]
-    public void Body_whose_centre_of_mass_is_off_its_origin_is_known_between_its_states()
+    public void Body_whose_centre_of_mass_is_not_its_origin_is_known_between_its_states()
     {
         // it rotates about its centre of mass, which stays where it is
         Vector3d offset = new(0.3, 0, 0), spin = new(0, 0, 2);

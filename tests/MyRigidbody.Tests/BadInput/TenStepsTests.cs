@@ -84,7 +84,7 @@ public sealed class TenStepsTests
     [TestCase("orientation", 1e-30)]
     [TestCase("frame", 1e30)]
     [TestCase("frame", 1e-30)]
-    public void What_single_precision_cannot_hold_is_refused_by_Unitys_rule_alone(string name, double value)
+    public void What_single_precision_cannot_hold_is_refused_by_Unitys_integrator_alone(string name, double value)
     {
         Vector3d vector = new(value, value, value);
         Quaterniond quaternion = new(0, vector);

@@ -9,7 +9,7 @@ public sealed class BatchEffectTests
     private static readonly TimeSteps Steps = TimeSteps.Every(0.02);
 
     [Test]
-    public void Effect_that_breaks_by_time_is_named_and_nobody_has_made_that_step(
+    public void Effect_that_breaks_by_time_is_named_and_no_body_has_made_that_step(
         [ValueSource(nameof(RuleNames))] string rule, [Values(true, false)] bool throws, [Values(1, 3)] int threads)
     {
         BodyDescription body = new BodyDescription("b", Crowding.Masses.First()) { Rule = Rules.Named(rule) }

@@ -70,7 +70,7 @@ public sealed class BatchLifeTests
     }
 
     [Test]
-    public void Who_looks_when_makes_no_difference()
+    public void Bits_do_not_depend_on_when_states_are_read()
     {
         // two stretches in which the bodies coast, one in which they are pushed between them
         BodyDescription body = new BodyDescription("body", Crowding.Masses.ElementAt(1))
@@ -115,7 +115,7 @@ public sealed class BatchLifeTests
     [TestCase("Exact, torque", 1)]
     [TestCase("Exact4, spring", 1)]
     [TestCase("LabEuler, factors per step", 2)]
-    public void Neither_stepping_nor_looking_nor_coming_nor_going_allocates(string act, int threads)
+    public void Stepping_reading_adding_and_removing_allocate_nothing(string act, int threads)
     {
         BodyDescription body = Acting[act](new BodyDescription("body", Crowding.Masses.First()) { Rule = Rules.Named(act.Split(',')[0]) });
         BodyState[] starts = Crowding.Starts(1200, 1, body), states = new BodyState[1200];

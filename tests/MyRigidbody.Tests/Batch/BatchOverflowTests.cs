@@ -13,7 +13,7 @@ public sealed class BatchOverflowTests
     private static readonly Torque Awake = Torque.Constant(new Vector3d(1e-3, 0, 0));
 
     [TestCaseSource(nameof(RuleNames))]
-    public void Body_that_runs_away_is_named_and_the_others_go_on(string rule)
+    public void Body_that_diverges_is_named_and_the_others_go_on(string rule)
     {
         // the one that starts at 7 m with 1 m/s is struck in the first step that begins above 7.51 m
         BodyDescription body = new BodyDescription("b", Crowding.Masses.First()) { Rule = Rules.Named(rule) }.With(new Runaway(7.51, 1e300));
@@ -157,7 +157,7 @@ public sealed class BatchOverflowTests
     [TestCase("Exact")]
     [TestCase("RungeKutta4")]
     [TestCase("LabEuler")]
-    public void Reading_a_lost_body_names_its_step_and_moves_nobody(string rule)
+    public void Reading_a_lost_body_names_its_step_and_moves_no_other(string rule)
     {
         double g = Largest / 20;
         BodyDescription body = new BodyDescription("b", MassProperties.FromPrincipal(1, new Vector3d(1, 2, 3))) { Rule = Rules.Named(rule) }

@@ -32,7 +32,7 @@ public sealed class BenchTests
     }
 
     [Test]
-    public void Run_is_quiet_while_no_more_than_one_measurement_in_twenty_is_off_itself()
+    public void Run_is_quiet_while_no_more_than_one_measurement_in_twenty_differs_from_itself()
     {
         (string, double)[] steady = [.. Enumerable.Range(0, 38).Select(i => ("steady " + i, 1.019))];
 

@@ -18,7 +18,7 @@ public sealed class BreakdownTests
     }
 
     [TestCaseSource(nameof(Ways))]
-    public void Rule_that_runs_away_falls_short_whatever_is_written(string[] command)
+    public void Integrator_that_diverges_falls_short_whatever_is_written(string[] command)
     {
         Refused(command, """
             { "schema": "rigid-body-scene/1", "name": "n", "step": 0.1, "steps": 2000, "bodies": [ { "name": "a" },
@@ -57,7 +57,7 @@ public sealed class BreakdownTests
 
     [TestCase("--every", "1")]
     [TestCase("--every", "0")]
-    public void Body_of_a_crowd_that_runs_away_is_named_by_its_number(string option, string value) => Refused(["run", option, value], """
+    public void Body_of_a_crowd_that_diverges_is_named_by_its_number(string option, string value) => Refused(["run", option, value], """
         { "schema": "rigid-body-scene/1", "name": "n", "step": 0.1, "steps": 2000, "bodies": [
           { "name": "b", "count": 3, "integrator": "LabEuler", "position": [1, 0, 0], "effects": [ { "spring": { "anchor": [0, 0, 0], "at": [0, 0, 0], "stiffness": 1e6 } } ] } ] }
         """, 1, "error: s.json: body b 0: LabEuler has diverged: no finite state at t = ");

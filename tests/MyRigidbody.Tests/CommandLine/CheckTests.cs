@@ -20,7 +20,7 @@ public sealed class CheckTests
 
     [TestCase("en", "✘ wrong", "the ½ is missing")]
     [TestCase("zh", "✘ 有误", "漏了 ½")]
-    public void A_wrong_one_ends_with_1_and_says_what_is_off(string language, string lamp, string help)
+    public void A_wrong_one_ends_with_1_and_says_which_step_is_wrong(string language, string lamp, string help)
     {
         (int code, string output) = Check(Half, "--lang", language);
         Assert.That(code, Is.EqualTo(1));

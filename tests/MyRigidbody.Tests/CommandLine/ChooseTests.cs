@@ -41,7 +41,7 @@ public sealed class ChooseTests
     }
 
     [Test]
-    public void Answer_for_people_names_the_rule_its_step_and_the_next_and_goes_body_by_body()
+    public void Answer_for_people_names_the_integrator_its_step_and_the_next_and_goes_body_by_body()
     {
         using TemporaryFolder folder = new();
 

@@ -87,7 +87,7 @@ public sealed class CompareTests
     }
 
     [Test]
-    public void A_recording_that_parts_is_said_where_and_exits_with_1()
+    public void A_recording_that_differs_is_reported_with_the_place_and_exits_with_1()
     {
         using TemporaryFolder folder = new();
 
@@ -100,7 +100,7 @@ public sealed class CompareTests
 
     // v = 0.1, then 0.98 · 0.1 + 0.1 m/s; the row's q has the other sign, and its velocities are those of no integrator
     [Test]
-    public void A_recorded_script_is_measured_by_its_poses_against_the_labs_rule()
+    public void A_recorded_script_is_measured_by_its_poses_against_the_labs_integrator()
     {
         using TemporaryFolder folder = new();
         RecordedScript(folder, "0.98");

@@ -110,7 +110,7 @@ public sealed class RunTests
     }
 
     [Test]
-    public void A_rule_that_runs_away_is_reported_and_leaves_no_file()
+    public void An_integrator_that_diverges_is_reported_and_leaves_no_file()
     {
         using TemporaryFolder folder = new();
         File.WriteAllText(folder.File("stiff.json"), """

@@ -90,7 +90,7 @@ public sealed class ExactMotionTests
     [TestCase("LabEuler", 1)] // measured 2.6 rad
     [TestCase("Splitting", 1e-4)] // measured 1.3e-3 rad
     [TestCase("RungeKutta4", 1e-7)] // measured 2.1e-6 rad
-    public void Other_rules_have_lost_the_asymmetric_top_after_100_s(string integrator, double atLeast)
+    public void Other_integrators_have_lost_the_asymmetric_top_after_100_s(string integrator, double atLeast)
     {
         double worst = 0;
         SolvedScene.Run(ExactCase.Read("asym_moderate"), integrator, Step, (state, sample, _) =>

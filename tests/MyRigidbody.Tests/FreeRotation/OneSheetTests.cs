@@ -43,7 +43,7 @@ public sealed class OneSheetTests
 
     // through 15 closed forms of 128 steps each
     [TestCaseSource(nameof(Names))]
-    public void Body_that_is_looked_at_in_every_step_does_not_jump(string name)
+    public void Body_that_is_read_in_every_step_does_not_jump(string name)
     {
         Simulation simulation = new(TimeSteps.Every(0.3 / Bodies[name].Spin.Length), Body(name, damping: 0));
         double worst = 1;

@@ -6,7 +6,7 @@ namespace RigidBodyDynamics.Tests;
 public sealed class SmallTurnTests
 {
     [Test]
-    public void Length_that_is_off_by_e_is_off_by_its_square_after_one_turn()
+    public void Length_with_an_error_e_has_the_error_e_squared_after_one_rotation()
     {
         // (3 − |q|²)/2 |q| = 1 − 3/2 e² for |q| = 1 + e
         const double E = 1e-5;
@@ -22,7 +22,7 @@ public sealed class SmallTurnTests
     }
 
     [Test]
-    public void Turn_less_one_has_all_digits_of_the_smallest_angle()
+    public void Rotation_minus_one_has_all_digits_of_the_smallest_angle()
     {
         // r − 1 = (cos a − 1, sin a · axis) with a half the angle: −a²/2 and a for a tiny one
         Quaterniond r = SmallTurn.Of(new Vector3d(0, 3, 4), 5, 2e-9);

@@ -140,7 +140,7 @@ public sealed class ClassTests
         Assert.That(() => ReadMarks(marks), Throws.InstanceOf<InputException>().With.Message.Contains(message));
 
     [Test]
-    public void Who_is_on_the_roster_and_has_handed_in_nothing_is_missing()
+    public void Student_on_the_roster_without_a_submission_is_missing()
     {
         PutScript("210840007_学生一");
         Put("class/学生二.zip", Archives.Zip(("MyRigidbody.cs", Archives.Bytes(Archives.Source))));

@@ -50,7 +50,7 @@ public sealed class LabelledPackageTests
     }
 
     [Test]
-    public void Package_that_is_not_named_as_asked_is_nobodys()
+    public void Package_that_is_not_named_as_asked_has_no_student()
     {
         Submission read = Submissions("实验3-最终版.unitypackage").Single();
 

@@ -39,7 +39,7 @@ public sealed class LookAlikeTests
     }
 
     [Test]
-    public void What_the_starter_has_and_what_many_have_is_nobodys()
+    public void What_the_starter_has_and_what_many_have_is_no_likeness()
     {
         string text = Text("210840014_学生二");
         string[] copies = [text, text, text, text, text, .. Texts.Skip(1)];

@@ -34,7 +34,7 @@ public sealed class StudentNameTests
     [TestCase("数媒21-1.zip")]
     [TestCase("20211130.zip")]
     [TestCase("MyRigidbody.cs")]
-    public void Name_without_a_number_is_nobodys(string file) => Assert.That(StudentName.Read(file), Is.Empty);
+    public void Name_without_a_number_has_no_student(string file) => Assert.That(StudentName.Read(file), Is.Empty);
 
     private static readonly Student[] Two = [new("210840007", "学生一"), new("210840014", "学生二")];
 

@@ -12,7 +12,7 @@ internal static class HardCasePage
         [中文](hard-cases.zh.md)
 
         Motions that break programs which move rigid bodies, and what becomes of them here. Every figure is measured by a test;
-        the test of the same name fails if it passes its bound, and another fails if the weak rule does not. This page is
+        the test of the same name fails if it passes its bound, and another fails if the weak integrator does not. This page is
         written by
 
             MYRIGIDBODY_WRITE=1 dotnet test -c Release --filter Name~Page_of_hard_cases
@@ -21,7 +21,7 @@ internal static class HardCasePage
         off; engines as PhysX 5.1.3, Jolt 5.0.0, Rapier 0.36.1, Bullet 3.24, MuJoCo 4.0.0, ODE 0.16.2, Drake 1.51.1 with their
         gyroscopic terms on.
 
-        | case | elsewhere | what is measured | bound | here, by `Exact` | a rule that fails |
+        | case | elsewhere | what is measured | bound | here, by `Exact` | an integrator that fails |
         | --- | --- | --- | ---: | ---: | --- |
 
         """;
@@ -49,7 +49,7 @@ internal static class HardCasePage
         ## Solved motions
 
         Reference solutions to 20 digits; the largest error of the whole motion, rad or m, in steps of 1/50 s. The last bit of
-        the inputs alone makes the error of the second column: no rule can be held to less. The third is what `run` gives, where
+        the inputs alone makes the error of the second column: no integrator can have a smaller one. The third is what `run` gives, where
         a body that coasts is not stepped; in the others every step is taken. `tests/data/hard-cases` has the bounds for five
         divisions of time.
 

@@ -13,7 +13,7 @@ public sealed class RandomSceneTests
         ulong.TryParse(Environment.GetEnvironmentVariable("MYRIGIDBODY_SEED"), CultureInfo.InvariantCulture, out ulong seed) ? seed : 1;
 
     [Test]
-    public void Random_body_is_where_another_rule_at_a_sixteenth_of_the_step_says()
+    public void Random_body_is_where_another_integrator_with_a_sixteenth_of_the_step_finds_it()
     {
         double worst = 0;
         PCG random = new(1, Seed);
@@ -37,7 +37,7 @@ public sealed class RandomSceneTests
     [TestCase("LabEuler")]
     [TestCase("ImplicitGyroscopic")]
     [TestCase("ExplicitGyroscopic")]
-    public void Rules_of_order_1_are_not(string integrator)
+    public void Integrators_of_order_1_are_not(string integrator)
     {
         PCG random = new(1, Seed);
         int lost = 0;

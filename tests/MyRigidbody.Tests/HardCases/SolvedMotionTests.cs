@@ -21,7 +21,7 @@ public sealed class SolvedMotionTests
     /// tests/data/hard-cases/solved-motions.csv: what each integrator promises, beside what was measured when the promise was made.
     /// </summary>
     [TestCaseSource(nameof(Cases))]
-    public void Solved_motion_stays_within_what_its_rule_promises(string motion, string rule)
+    public void Solved_motion_stays_within_what_its_integrator_promises(string motion, string rule)
     {
         foreach (string division in SolvedRun.Divisions)
         {
@@ -52,7 +52,7 @@ public sealed class SolvedMotionTests
     }
 
     [TestCaseSource(nameof(Free))]
-    public void Where_nothing_pushes_the_exact_rules_are_one(string motion)
+    public void Where_nothing_pushes_the_exact_integrators_are_one(string motion)
     {
         SolvedRun exact = SolvedRun.Of(motion, "Exact", "1/50");
         Assert.That(SolvedRun.Of(motion, "Exact4", "1/50"), Is.EqualTo(exact));
@@ -60,7 +60,7 @@ public sealed class SolvedMotionTests
     }
 
     [TestCaseSource(nameof(Motions))]
-    public void Rules_stand_in_the_order_of_their_quality(string motion)
+    public void Integrators_stand_in_the_order_of_their_quality(string motion)
     {
         double exact6 = Off("Exact6"), exact4 = Off("Exact4"), exact = Off("Exact"), splitting = Off("Splitting"), kutta = Off("RungeKutta4");
         double first = new[] { "LabEuler", "ExplicitEuler", "ImplicitGyroscopic", "ExplicitGyroscopic" }.Min(Off);

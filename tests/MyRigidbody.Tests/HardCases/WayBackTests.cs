@@ -24,7 +24,7 @@ public sealed class WayBackTests
 
     // measured at least 1.5e-3, by RungeKutta4
     [TestCaseSource(nameof(OneWay))]
-    public void Rules_that_do_not_declare_it_do_not_find_back(string integrator)
+    public void Integrators_that_do_not_declare_it_do_not_find_back(string integrator)
     {
         double worst = Moments.Max(moments => Off(integrator, moments, isPushed: true));
         TestContext.Out.WriteLine(FormattableString.Invariant($"{worst:g2}"));

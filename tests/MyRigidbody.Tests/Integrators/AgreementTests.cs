@@ -33,7 +33,7 @@ public sealed class AgreementTests
 
     [TestCase(true, false)]
     [TestCase(false, true)]
-    public void Body_that_is_held_obeys_the_same_laws_by_every_rule(bool canMove, bool canTurn)
+    public void Body_that_is_held_obeys_the_same_laws_by_every_integrator(bool canMove, bool canTurn)
     {
         BodyState right = Held("Exact6"), found = Held("RungeKutta4");
         Assert.That(Samples.Apart(found.Position, right.Position), Is.LessThan(1e-12)); // measured 1.2e-13

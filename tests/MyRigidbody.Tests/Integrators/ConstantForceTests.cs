@@ -65,7 +65,7 @@ public sealed class ConstantForceTests
     [TestCase("ImplicitGyroscopic")]
     [TestCase("ExplicitGyroscopic")]
     [TestCase("UnityRigidbody in double")]
-    public void Other_rules_move_as_under_a_push_of_the_same_force(string rule)
+    public void Other_integrators_move_as_under_a_push_of_the_same_force(string rule)
     {
         BodyDescription body = Scenery.Body(rule).With(new Gravity(new Vector3d(0.3, -9.81, 1))).With(new LinearDamping(0.2));
         BodyState coasting = Scenery.Run(Steps, body.Copy("coasting", body.Mass).With(new Force(F)), 60);

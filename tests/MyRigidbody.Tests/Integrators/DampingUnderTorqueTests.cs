@@ -15,7 +15,7 @@ public sealed class DampingUnderTorqueTests
 
     // measured 2.4e-14, 2.9e-14, 2.5e-14; with two moments equal 5.0e-16 at most, and with three 5.2e-16
     [TestCaseSource(nameof(Cases))]
-    public void Exact6_in_short_steps_is_off_by_little_more_than_roundings(decimal[] moments, int parts)
+    public void Error_of_Exact6_with_short_steps_is_little_more_than_roundings(decimal[] moments, int parts)
     {
         (Quaterniond q, Vector3d w) = DampedTop.After(Time, moments, Spin, Torque, 0.25m);
         double step = 0.25 / parts;

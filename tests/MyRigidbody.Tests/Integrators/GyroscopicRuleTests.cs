@@ -9,7 +9,7 @@ public sealed class GyroscopicRuleTests
     private static readonly Vector3d[] Spins = [new(1, 2, -1.5), new(-3, 0.5, 4), new(0.2, -6, 0.3)];
 
     [Test]
-    public void Implicit_rule_is_one_Newton_step([Values(0.01, 0.1, 1)] double dt)
+    public void Implicit_integrator_is_one_Newton_step([Values(0.01, 0.1, 1)] double dt)
     {
         // F(w₊) = I (w₊ − w) + Δt w₊ × I w₊ is quadratic, so its derivative along d is (F(w + d) − F(w − d))/2 without an error
         foreach (Vector3d i in Moments)
@@ -26,7 +26,7 @@ public sealed class GyroscopicRuleTests
     }
 
     [Test]
-    public void Explicit_rule_turns_the_momentum_as_Euler_would_and_keeps_its_length([Values(0.01, 0.1, 1)] double dt)
+    public void Explicit_integrator_turns_the_momentum_as_Euler_would_and_keeps_its_length([Values(0.01, 0.1, 1)] double dt)
     {
         foreach (Vector3d i in Moments)
         {

@@ -13,7 +13,7 @@ public sealed class IdlePushTests
         select new object[] { rule, moments };
 
     [TestCaseSource(nameof(Cases))]
-    public void Keys_that_nobody_holds_change_no_bit(string rule, Vector3d moments)
+    public void Keys_that_are_not_held_change_no_bit(string rule, Vector3d moments)
     {
         BodyDescription free = Body(rule, moments).With(new Gravity(new Vector3d(0, -9.81, 0))).With(new AngularDamping(0.1));
         BodyDescription held = free.Copy("held", free.Mass).With(new HeldKeys(new LabKeyboard()));

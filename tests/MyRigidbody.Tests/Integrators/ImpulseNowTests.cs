@@ -60,7 +60,7 @@ public sealed class ImpulseNowTests
     }
 
     [Test]
-    public void Hundred_thousand_small_impulses_cost_the_exact_rule_no_more_digits_than_one()
+    public void Hundred_thousand_small_impulses_cost_the_exact_integrator_no_more_digits_than_one()
     {
         Composition<SphericalTop, Order2> body = default;
         body.Start(new Beginning(new BodyDescription("b", MassProperties.FromPrincipal(1, new Vector3d(1, 1, 1)))));

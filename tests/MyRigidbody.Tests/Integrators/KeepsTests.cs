@@ -47,7 +47,7 @@ public sealed class KeepsTests
     }
 
     [TestCaseSource(nameof(Cases))]
-    public void Angular_velocity_is_kept_by_rules_without_a_gyroscopic_term(string integrator, string motion)
+    public void Angular_velocity_is_kept_by_integrators_without_a_gyroscopic_term(string integrator, string motion)
     {
         bool isFrozen = Rules.Named(integrator).Keeps == Keeps.AngularVelocity;
         Simulation simulation = Scenery.Stepped(TimeSteps.Every(Step), SolvedScene.Body(ExactCase.Read(motion), integrator));

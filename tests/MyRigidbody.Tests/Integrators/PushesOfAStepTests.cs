@@ -14,7 +14,7 @@ public sealed class PushesOfAStepTests
         select new object[] { rule.Trim('`'), int.Parse(cells[2], CultureInfo.InvariantCulture), int.Parse(cells[3], CultureInfo.InvariantCulture) };
 
     [TestCaseSource(nameof(Rows))]
-    public void Page_says_how_often_a_push_is_asked_for(string integrator, int ofPose, int ofVelocity)
+    public void Page_says_how_often_a_push_is_evaluated(string integrator, int ofPose, int ofVelocity)
     {
         Assert.That(Asked(EffectTraits.ReadsPosition | EffectTraits.ReadsTime), Is.EqualTo(ofPose));
         Assert.That(Asked(EffectTraits.ReadsVelocity), Is.EqualTo(ofVelocity));

@@ -5,15 +5,15 @@ namespace RigidBodyDynamics.Tests;
 public sealed class RulesTests
 {
     [Test]
-    public void Rules_like_the_labs_are_told_from_those_that_cost_several_of_its_steps() => Assert.That(
+    public void Integrators_like_the_labs_are_told_from_those_that_cost_several_of_its_steps() => Assert.That(
         Rules.All.Where(rule => rule.Cost == Cost.LikeTheLab).Select(rule => rule.Name),
         Is.EquivalentTo(new[] { "ExplicitEuler", "LabEuler", "Exact" }));
 
     [Test]
-    public void Body_that_names_no_rule_moves_by_the_exact_one() => Assert.That(Rules.Default.Name, Is.EqualTo("Exact"));
+    public void Body_that_names_no_integrator_moves_by_the_exact_one() => Assert.That(Rules.Default.Name, Is.EqualTo("Exact"));
 
     [Test]
-    public void Every_rule_has_a_property_of_its_name_and_stands_in_the_list()
+    public void Every_integrator_has_a_property_of_its_name_and_stands_in_the_list()
     {
         IEnumerable<(string, object?)> properties = typeof(Rules).GetProperties()
             .Where(property => property.PropertyType == typeof(Rule) && property.Name != nameof(Rules.Default))
@@ -23,7 +23,7 @@ public sealed class RulesTests
     }
 
     [Test]
-    public void Rule_of_ones_own_has_the_name_of_its_struct_and_moves_a_crowd_to_the_same_bits()
+    public void Integrator_of_ones_own_has_the_name_of_its_struct_and_moves_a_crowd_to_the_same_bits()
     {
         BodyDescription body = Scenery.Body("Exact").With(new KeyPush(LabKey.R));
         body.Rule = Rules.Of<MomentumEuler>();
@@ -38,7 +38,7 @@ public sealed class RulesTests
     }
 
     [Test]
-    public void Body_without_a_rule_is_refused()
+    public void Body_without_an_integrator_is_refused()
     {
         BodyDescription body = Scenery.Body("Exact");
         body.Rule = null!;
@@ -46,7 +46,7 @@ public sealed class RulesTests
     }
 
     [Test]
-    public void No_rule_but_Unitys_lets_a_body_sleep()
+    public void No_integrator_but_Unitys_lets_a_body_sleep()
     {
         foreach (string integrator in Scenery.Integrators)
         {
@@ -59,7 +59,7 @@ public sealed class RulesTests
     }
 
     [Test]
-    public void What_a_rule_keeps_can_be_told_from_anything_else_it_keeps()
+    public void What_an_integrator_keeps_can_be_told_from_anything_else_it_keeps()
     {
         foreach (Keeps one in Enum.GetValues<Keeps>())
             Assert.That(((int)one & ((int)one - 1)), Is.Zero, one.ToString());

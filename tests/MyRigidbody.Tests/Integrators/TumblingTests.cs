@@ -15,7 +15,7 @@ public sealed class TumblingTests
     [TestCase("LabEuler")]
     [TestCase("UnityRigidbody")]
     [TestCase("UnityRigidbody in double")]
-    public void Rule_without_a_gyroscopic_term_does_not_keep_the_angular_momentum(string integrator)
+    public void Integrator_without_a_gyroscopic_term_does_not_keep_the_angular_momentum(string integrator)
     {
         Simulation simulation = Tumble(integrator);
         Vector3d before = simulation.Bodies[0].AngularMomentum;
@@ -33,7 +33,7 @@ public sealed class TumblingTests
     [TestCase("LabEuler")]
     [TestCase("UnityRigidbody")]
     [TestCase("UnityRigidbody in double")]
-    public void Rule_without_a_gyroscopic_term_keeps_the_angular_velocity_to_the_bit(string integrator)
+    public void Integrator_without_a_gyroscopic_term_keeps_the_angular_velocity_to_the_bit(string integrator)
     {
         Simulation simulation = Tumble(integrator);
         BodyState start = simulation.Bodies[0].State;

@@ -43,7 +43,7 @@ public sealed class UnityRecordingTests
     private static IEnumerable<string> Names => Scenes.Select(s => (string)((object[])s)[0]).Append(Chaotic);
 
     [Test]
-    public void Every_recording_is_held_against_the_rule()
+    public void Every_recording_is_compared_with_the_integrator()
     {
         IEnumerable<string> recorded = Directory.GetFiles(TestData.Physx("."), "*.csv").Select(f => Path.GetFileNameWithoutExtension(f));
         Assert.That(Names, Is.EquivalentTo(recorded));

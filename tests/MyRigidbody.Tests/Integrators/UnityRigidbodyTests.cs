@@ -8,7 +8,7 @@ public sealed class UnityRigidbodyTests
     private const double Dt = 0.02;
 
     [Test]
-    public void First_order_orientation_is_the_rule_of_the_lab()
+    public void First_order_orientation_is_the_formula_of_the_lab()
     {
         UnitySettings settings = new() { InDouble = true, AngularDrag = 0, FirstOrderOrientation = true };
         Simulation unity = new(TimeSteps.Every(Dt), Spinning(settings)), lab = new(TimeSteps.Every(Dt), Spinning(settings, "LabEuler"));

@@ -84,7 +84,7 @@ internal sealed class JudgeTests
     }
 
     [Test]
-    public void The_exact_turn_is_for_the_instructor_to_decide()
+    public void The_exact_rotation_is_for_the_instructor_to_decide()
     {
         Verdict verdict = Judged([Velocity, AngularVelocity, Move, s => s.Orientation = Quaternion.Normalize(Exact(s.w) * s.Orientation), Damp]);
         Assert.That(verdict[Step.Orientation], Is.EqualTo(Mark.Doubtful));

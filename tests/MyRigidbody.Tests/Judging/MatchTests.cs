@@ -52,7 +52,7 @@ internal sealed class MatchTests
     }
 
     [Test]
-    public void The_exact_turn_reads_as_its_angle()
+    public void The_exact_rotation_reads_as_its_angle()
     {
         Vector angle = new(0.3, -0.2, 0.9);
         Assert.That((Turns.Exact(Orientation.Turn(angle)) - angle).Length, Is.LessThan(1e-15)); // measured 1.3e-16

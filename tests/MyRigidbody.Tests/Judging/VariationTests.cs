@@ -28,7 +28,7 @@ internal sealed class VariationTests
 
     // of all: 2, which set ω from v, and damp two components of v
     [Test]
-    public void The_steps_that_are_off_are_among_those_named() =>
+    public void The_steps_that_are_wrong_are_among_those_named() =>
         Assert.That(Judged.Value.Where(one => one.Script.Steps.Except(Named(one.Verdict)).Any()).Select(Told).ToArray(), Has.Length.LessThanOrEqualTo(0.01 * Judged.Value.Length));
 
     // of all: 4

@@ -104,7 +104,7 @@ public sealed partial class ChineseTests
     [TestCase("zh_CN.UTF-8", "没有这个文件")]
     [TestCase("de_DE.UTF-8", "there is no such file")]
     [Platform("Unix")]
-    public void Where_nobody_says_which_the_system_does(string locale, string expected)
+    public void Without_an_option_the_language_is_that_of_the_system(string locale, string expected)
     {
         using TemporaryFolder folder = new();
 

@@ -54,7 +54,7 @@ public sealed class ApplyImpulseTests
     }
 
     [TestCaseSource(typeof(PointBody), nameof(PointBody.All))]
-    public void After_it_the_exact_rule_goes_on_as_the_closed_form_from_there(PointBody points)
+    public void After_it_the_exact_integrator_goes_on_as_the_closed_form_from_there(PointBody points)
     {
         Simulation simulation = new(TimeSteps.Every(0.02));
         Body body = simulation.Add(Description("Exact", points));

@@ -102,7 +102,7 @@ public sealed class ChangeTests
     }
 
     [TestCaseSource(typeof(Scenery), nameof(Scenery.Integrators))]
-    public void Other_rule_goes_on_from_here_as_for_a_body_that_comes_now(string rule)
+    public void Other_integrator_goes_on_from_here_as_for_a_body_that_comes_now(string rule)
     {
         Simulation simulation = new(TimeSteps.Every(H));
         Body body = simulation.Add(Scenery.Busy("RungeKutta4", "a"));

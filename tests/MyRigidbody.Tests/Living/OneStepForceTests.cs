@@ -110,7 +110,7 @@ public sealed class OneStepForceTests
     [TestCase("Exact")]
     [TestCase("Exact4")]
     [TestCase("Exact6")]
-    public void Rule_keeps_its_order_under_a_force_that_is_fixed_in_the_body(string name)
+    public void Integrator_keeps_its_order_under_a_force_that_is_fixed_in_the_body(string name)
     {
         Rule rule = Rules.Named(name);
         Vector3d moments = rule.Keeps.HasFlag(Keeps.Motion) ? MeasuredOrder.Moments : MeasuredOrder.Cube;

@@ -85,7 +85,7 @@ public sealed class SetStateTests
     [TestCase("RungeKutta4")]
     [TestCase("Splitting")]
     [TestCase("Exact")]
-    public void Body_that_has_run_away_comes_back_when_its_state_is_set(string rule)
+    public void Body_that_has_diverged_comes_back_when_its_state_is_set(string rule)
     {
         // after a hundred seconds the square of its velocity does not fit
         BodyDescription heavy = new BodyDescription("heavy", Scenery.Body(rule).Mass) { Rule = Rules.Named(rule) }.With(new Gravity(new Vector3d(0, -1e153, 0)));

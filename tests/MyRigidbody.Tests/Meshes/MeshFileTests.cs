@@ -162,7 +162,7 @@ public sealed class MeshFileTests
     }
 
     [Test]
-    public void Scene_has_a_body_of_a_mesh_beside_it_in_every_rule()
+    public void Scene_has_a_body_of_a_mesh_beside_it_by_every_integrator()
     {
         foreach (Rule rule in Rules.All)
         {

@@ -34,7 +34,7 @@ public sealed class ImpulsesTests
     }
 
     [TestCaseSource(nameof(Rule))]
-    public void State_before_the_step_has_not_got_it_and_nobody_s_looking_changes_it(string rule)
+    public void State_before_the_step_has_not_got_it_and_reading_it_changes_nothing(string rule)
     {
         BodyDescription body = Scenery.Body(rule).With(new Impulse(P, Turn, Point), 20 * H);
         Body seen = Started(body), unseen = Started(body), free = Started(Scenery.Body(rule));

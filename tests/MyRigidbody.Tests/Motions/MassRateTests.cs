@@ -30,7 +30,7 @@ public sealed class MassRateTests
     }
 
     [TestCaseSource(nameof(Rule))]
-    public void Rule_keeps_its_order_under_a_thruster_beside_the_centre_of_a_mass_that_burns(string rule)
+    public void Integrator_keeps_its_order_under_a_thruster_beside_the_centre_of_a_mass_that_burns(string rule)
     {
         Rule by = Scenery.Body(rule).Rule;
         if (by == Rules.UnityRigidbody && rule == by.Name)

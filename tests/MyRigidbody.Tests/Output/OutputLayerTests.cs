@@ -62,7 +62,7 @@ public sealed partial class OutputLayerTests
     }
 
     [Test]
-    public void A_rule_that_runs_away_from_such_a_body_says_so_in_one_line()
+    public void An_integrator_that_diverges_for_such_a_body_says_so_in_one_line()
     {
         using TemporaryFolder folder = new();
         File.WriteAllText(folder.File("away.json"), """

@@ -75,7 +75,7 @@ public sealed partial class WordsTests
     }
 
     [Test]
-    public void What_rules_say_is_there_in_Chinese()
+    public void Descriptions_of_integrators_are_there_in_Chinese()
     {
         string[] said = [.. Scenes.SelectMany(path => Pair.Of(SceneReader.Read(path))).SelectMany(Difference.Between).SelectMany(rule => new[] { rule.Name, rule.Mine, rule.Unitys })];
 

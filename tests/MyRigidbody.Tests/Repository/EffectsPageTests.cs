@@ -77,7 +77,7 @@ public sealed class EffectsPageTests
     // the error at the end of the wind, where the step is halved
     [TestCase("Exact", 4)] // measured 4.0
     [TestCase("RungeKutta4", 16)] // measured 16
-    public void Wind_keeps_the_order_of_the_rule(string rule, double ratio)
+    public void Wind_keeps_the_order_of_the_integrator(string rule, double ratio)
     {
         Vector3d fine = At(rule, 0.001);
         double whole = (At(rule, 0.05) - fine).Length, half = (At(rule, 0.025) - fine).Length;

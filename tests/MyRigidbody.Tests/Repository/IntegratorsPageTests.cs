@@ -9,12 +9,12 @@ public sealed class IntegratorsPageTests
     private const double Seconds = 2;
 
     [Test]
-    public void Rule_on_the_page_is_the_one_that_is_compiled() => Assert.That(
+    public void Integrator_on_the_page_is_the_one_that_is_compiled() => Assert.That(
         PageText.Block(Page, "<!-- MomentumEuler.cs -->"),
         Is.EqualTo(File.ReadLines(Root.File("tests/MyRigidbody.Tests/Integrators/MomentumEuler.cs")).Skip(2)));
 
     [Test]
-    public void Rule_on_the_page_moves_a_body_from_outside_the_library()
+    public void Integrator_on_the_page_moves_a_body_from_outside_the_library()
     {
         string source = "using RigidBodyDynamics;\n" + string.Join('\n', PageText.Block(Page, "<!-- MomentumEuler.cs -->"))
             + "\npublic static class Used { public static Simulation Run() {\n" + string.Join('\n', PageText.Block(Page, "<!-- used -->")) + "\nreturn simulation; } }";

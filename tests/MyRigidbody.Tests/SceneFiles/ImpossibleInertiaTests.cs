@@ -57,7 +57,7 @@ public sealed class ImpossibleInertiaTests
         Assert.That(SceneText.Error(Scene($"\"inertia\": {{ \"principal\": {principal} }}")), Does.Contain("no moment can exceed the sum of the other two"));
 
     [Test]
-    public void Rounded_tensor_of_a_plate_in_any_plane_is_accepted_and_one_off_by_more_is_not()
+    public void Rounded_tensor_of_a_plate_in_any_plane_is_accepted_and_one_with_a_larger_error_is_not()
     {
         // a plate of 0.2 and 0.3 kg m² in its plane has 0.5 across; six decimals of its tensor in other axes
         double worst = 0;

@@ -71,7 +71,7 @@ public sealed class SceneErrorTests
     [TestCase(Head + """ "effects": [ { "perStep": { }, "from": 1 } ] } ] }""", "scene.json: bodies[0].effects[0].from: must not stand beside perStep")]
     [TestCase(Head + """ "a\nb": 1 } ] }""", "scene.json: bodies[0].a b: is not a name known here")]
     [TestCase(Head + """ "integrator": "\ud800" } ] }""", "scene.json: has a name or text that is not valid Unicode")]
-    public void The_error_names_place_rule_and_value(string text, string expected)
+    public void The_error_names_place_requirement_and_value(string text, string expected)
     {
         string error = SceneText.Error(text);
 

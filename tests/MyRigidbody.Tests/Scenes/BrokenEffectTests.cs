@@ -85,7 +85,7 @@ public sealed class BrokenEffectTests
 
     [TestCase(1)]
     [TestCase(200)]
-    public void Rule_that_runs_away_by_itself_does_not_blame_an_effect(int stepsAtOnce)
+    public void Integrator_that_diverges_by_itself_does_not_blame_an_effect(int stepsAtOnce)
     {
         // explicit Euler on a spring far beyond its stable step
         BodyDescription body = Scenery.Body("ExplicitEuler").With(new Spring(Vector3d.Zero, Vector3d.Zero, 1e12));

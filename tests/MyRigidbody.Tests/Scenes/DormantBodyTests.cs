@@ -13,7 +13,7 @@ public sealed class DormantBodyTests
         select new object[] { integrator, moments };
 
     [TestCaseSource(nameof(Cases))]
-    public void Bits_do_not_depend_on_who_looked_when(string integrator, Vector3d moments)
+    public void Bits_do_not_depend_on_when_the_state_was_read(string integrator, Vector3d moments)
     {
         foreach (TimeSteps steps in Divisions())
         {

@@ -56,7 +56,7 @@ public sealed class LocksTests
     }
 
     [TestCaseSource(nameof(Rule))]
-    public void One_locked_axis_is_followed_at_the_order_of_the_rule(string rule)
+    public void One_locked_axis_is_followed_at_the_order_of_the_integrator(string rule)
     {
         int order = Scenery.Body(rule).Rule.Order, steps = order == 6 ? 4 : 64 / order;
         double coarse = Miss(rule, steps), fine = Miss(rule, 2 * steps);
@@ -66,7 +66,7 @@ public sealed class LocksTests
 
     /// <summary>Exactly, wherever what is locked can be seen in world axes; in a tilted body to rounding, by RungeKutta4 at its order.</summary>
     [TestCaseSource(nameof(Rule))]
-    public void What_is_locked_stays_zero_by_every_rule_whatever_acts(string rule)
+    public void What_is_locked_stays_zero_by_every_integrator_whatever_acts(string rule)
     {
         double worst = 0;
         for (Locks locked = Locks.None; locked <= (Locks.Move | Locks.Turn); locked++)

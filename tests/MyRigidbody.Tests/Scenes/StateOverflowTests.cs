@@ -29,7 +29,7 @@ public sealed class StateOverflowTests
         select new object[] { rule, act };
 
     [TestCaseSource(nameof(Cases))]
-    public void Body_that_runs_away_is_named_and_stands_before_that_step(string rule, string act)
+    public void Body_that_diverges_is_named_and_stands_before_that_step(string rule, string act)
     {
         (Func<BodyDescription, BodyDescription> make, string named) = Acts[act];
         HashSet<(long, double)> found = [];
@@ -57,7 +57,7 @@ public sealed class StateOverflowTests
     }
 
     [TestCaseSource(typeof(Scenery), nameof(Scenery.Integrators))]
-    public void Effects_that_feed_a_body_until_it_runs_away_do_too(string rule)
+    public void Effects_that_feed_a_body_until_it_diverges_do_too(string rule)
     {
         foreach (int stepsAtOnce in new[] { 1, 10_000 })
         {

@@ -60,7 +60,7 @@ public sealed partial class SceneMotionTests
     }
 
     [Test]
-    public void Slabs_are_alike_but_for_the_rule_that_they_are_named_after()
+    public void Slabs_are_alike_but_for_the_integrator_that_they_are_named_after()
     {
         SceneObject[] slabs = Slabs();
         IEnumerable<string> fields = slabs.Select(slab => string.Join('\n', slab["MyRigidbody"]!.Fields.Children
@@ -76,7 +76,7 @@ public sealed partial class SceneMotionTests
     [TestCase("ImplicitGyroscopic", 3.28)]
     [TestCase("RungeKutta4", 3.38)]
     [TestCase("Exact", 3.38)]
-    public void Slab_turns_over_when_it_should_and_by_the_rule_of_the_lab_never(string name, double? first)
+    public void Slab_flips_when_it_should_and_by_the_integrator_of_the_lab_never(string name, double? first)
     {
         SceneObject slab = Slabs().Single(found => found.Name == name);
         UnityObject mine = slab["MyRigidbody"]!;

@@ -30,7 +30,7 @@ namespace RigidBodyDynamics.Scripts.Tests.Headless
         }
 
         [Test]
-        public void A_rule_chosen_there_is_the_bodys_from_the_next_step_on()
+        public void An_integrator_chosen_there_is_the_bodys_from_the_next_step_on()
         {
             MyRigidbody body = _cube.AddComponent<MyRigidbody>();
             Editor inspector = Editor.CreateEditor(body);

@@ -25,7 +25,7 @@ namespace RigidBodyDynamics.Scripts.Tests.Headless
         public void LetGo() => LabInput.LetGo();
 
         [Test]
-        public void It_shows_every_body_its_rule_and_the_time()
+        public void It_shows_every_body_its_integrator_and_the_time()
         {
             string[] texts = Gui.Texts.ToArray();
 
@@ -128,7 +128,7 @@ namespace RigidBodyDynamics.Scripts.Tests.Headless
         }
 
         [Test]
-        public void Each_rule_of_the_catalogue_can_be_chosen()
+        public void Each_integrator_of_the_catalogue_can_be_chosen()
         {
             foreach (Rule rule in Rules.All)
             {
@@ -143,7 +143,7 @@ namespace RigidBodyDynamics.Scripts.Tests.Headless
         }
 
         [Test]
-        public void The_menu_of_rules_closes_again()
+        public void The_menu_of_integrators_closes_again()
         {
             Gui.Click("LabEuler  ▼");
             Frames(1);

@@ -10,7 +10,7 @@ namespace RigidBodyDynamics.Scripts.Tests.Headless
         [TestCase("Exact", 0, 1e-9)]
         [TestCase("RungeKutta4", 1e-9, 1e-3)]
         [TestCase("LabEuler", 0.1, 3.2)]
-        public void The_error_is_that_of_the_rule(string integrator, double least, double most)
+        public void The_error_is_that_of_the_integrator(string integrator, double least, double most)
         {
             MyRigidbody body = Spinning(integrator);
             Yardstick yardstick = new Yardstick(body);

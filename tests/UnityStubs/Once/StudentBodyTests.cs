@@ -126,7 +126,7 @@ namespace RigidBodyDynamics.Scripts.Tests.Headless
 
         [TestCase(1.0 / 50)]
         [TestCase(1.0 / 144)]
-        public void Compare_finds_a_right_script_where_the_labs_rule_is_at_any_frame_rate(double frame)
+        public void Compare_finds_a_right_script_where_the_labs_integrator_is_at_any_frame_rate(double frame)
         {
             Build(Right);
             string output = RecordAndCompare(frame, out int exitCode);
@@ -137,7 +137,7 @@ namespace RigidBodyDynamics.Scripts.Tests.Headless
         }
 
         [Test]
-        public void Compare_says_how_far_a_wrong_script_is_from_the_labs_rule()
+        public void Compare_says_how_far_a_wrong_script_is_from_the_labs_integrator()
         {
             Build(TwiceTheTurn);
             string output = RecordAndCompare(1.0 / 60, out int exitCode);
