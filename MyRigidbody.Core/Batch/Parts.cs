@@ -47,7 +47,6 @@ namespace RigidBodyDynamics
         /// <summary>True if, since the last <see cref="FindLost"/>, some body could not do its work or had no finite state.</summary>
         public bool AnyFailed => _failed.Count > 0;
 
-        /// <summary>Begins a stretch.</summary>
         public void Begin(int stretch, bool coasts)
         {
             _stretch = stretch;

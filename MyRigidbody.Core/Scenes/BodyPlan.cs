@@ -107,7 +107,6 @@ namespace RigidBodyDynamics
         /// <summary>True if an effect begins or ends after a step.</summary>
         internal bool ChangesAfter(long step) => Stretches[Stretches.Count - 1].First > step;
 
-        /// <summary>True if the mass changes.</summary>
         internal bool ChangesMass { get; }
 
         /// <summary>The mass before a step, as a part of the first mass.</summary>

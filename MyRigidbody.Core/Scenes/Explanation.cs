@@ -72,7 +72,6 @@ namespace RigidBodyDynamics
         /// <summary>True if the steps of a stretch are not taken until the state is read.</summary>
         internal bool Coasts(StretchPlan stretch) => _plan.MayCoast && _plan.Rule.Coasts(_plan.Body, stretch);
 
-        /// <summary>The time of a stretch.</summary>
         internal string Time(StretchPlan stretch)
         {
             string from = stretch.Starts.ToString("R", CultureInfo.InvariantCulture) + " s";

@@ -60,7 +60,6 @@ namespace RigidBodyDynamics
         /// <summary>The end of its last step, s; infinite where the body's time is.</summary>
         public double Ends { get; }
 
-        /// <summary>The effects in it.</summary>
         public IReadOnlyList<Effect> Effects => _effects;
 
         /// <summary>Gravity, constant forces and damping, all of them in one closed form.</summary>

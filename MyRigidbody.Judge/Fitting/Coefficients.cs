@@ -11,7 +11,6 @@ namespace RigidBodyDynamics.Judging
 
         public double Second { get; private set; }
 
-        /// <summary>The residual.</summary>
         public double Residual { get; private set; }
 
         /// <summary>The distance of one vector from the line of the other; where it is small the two coefficients cannot be separated.</summary>

@@ -15,7 +15,6 @@ internal sealed class SideBySide
         _turned = new Vector3d[bodies.Length];
     }
 
-    /// <summary>The number of steps done.</summary>
     public long StepsDone => _simulation.StepsDone;
 
     /// <summary>The state of a body now.</summary>

@@ -5,7 +5,6 @@ internal static class InputFile
 {
     private const int Largest = 1 << 28, Spare = 1 << 12;
 
-    /// <summary>All its bytes.</summary>
     public static ArraySegment<byte> Bytes(string path)
     {
         if (path.Length == 0)

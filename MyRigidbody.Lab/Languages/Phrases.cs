@@ -5,7 +5,6 @@ namespace RigidBodyDynamics.Lab.Languages;
 /// <summary>The words of plans, integrators and effects, part by part, with their Chinese.</summary>
 internal static class Phrases
 {
-    /// <summary>A part of a text, and its Chinese.</summary>
     public sealed record Part(Regex Pattern, string Chinese);
 
     /// <summary>In the order of the search: longer parts before those that they contain.</summary>

@@ -15,7 +15,6 @@ internal static class Pictures
     private static readonly string[] SansFonts =
         ["DejaVu Sans", "Liberation Sans", "Noto Sans", "Open Sans", "Segoe UI", "Helvetica Neue", "Helvetica", "Arial", "Verdana"];
 
-    /// <summary>A plot with a title.</summary>
     public static Plot New(string title)
     {
         title = Visible.Line(title);

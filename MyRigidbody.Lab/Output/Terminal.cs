@@ -21,16 +21,13 @@ internal static class Terminal
     /// <summary>A text of one paragraph, wrapped to the width of the terminal.</summary>
     public static void WriteText(string text) => Draw(new Text(Visible.Line(Language.Say(text)) + Environment.NewLine));
 
-    /// <summary>A table.</summary>
     public static void Write(TextTable table) => Draw(table.Drawn);
 
     /// <summary>An answer in JSON.</summary>
     public static void WriteJson(string json) => Console.Out.WriteLine(Visible.Json(json));
 
-    /// <summary>An error, in one line.</summary>
     public static void Error(string line) => Console.Error.WriteLine(Lead("error:") + Visible.Line(Language.Say(line), LongestError));
 
-    /// <summary>A note, in one line.</summary>
     public static void Note(string line) => Console.Error.WriteLine(Lead("note:") + Visible.Line(Language.Say(line), LongestError));
 
     /// <summary>Does long work; with a progress bar on a terminal, without output in a pipe.</summary>

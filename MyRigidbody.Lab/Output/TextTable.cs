@@ -18,7 +18,6 @@ internal sealed class TextTable
         }
     }
 
-    /// <summary>The number of columns.</summary>
     public int Columns => _table.Columns.Count;
 
     /// <summary>Aligns numbers to the right: in these columns, or in all but the first.</summary>
@@ -35,6 +34,5 @@ internal sealed class TextTable
     /// <summary>A row, with a text for every column.</summary>
     public void AddRow(params IEnumerable<string> cells) => _table.AddRow(cells.Select(cell => new Text(Visible.Line(Language.Say(cell)))));
 
-    /// <summary>What is drawn.</summary>
     internal IRenderable Drawn => _table;
 }

@@ -12,7 +12,6 @@ internal static class Visible
 {
     private static readonly SearchValues<char> Plain = SearchValues.Create([.. Enumerable.Range(' ', '~' - ' ' + 1).Select(code => (char)code)]);
 
-    /// <summary>A text in one line.</summary>
     public static string Line(string text) => Shown(text, string.Empty);
 
     /// <summary>The same, cut after a number of characters.</summary>

@@ -7,6 +7,5 @@ namespace RigidBodyDynamics.Lab.Package;
 /// <param name="Meta">Its meta.</param>
 internal sealed record Asset(string Path, string Guid, byte[]? Content, byte[] Meta)
 {
-    /// <summary>True for a folder.</summary>
     public bool IsFolder => Content == null;
 }

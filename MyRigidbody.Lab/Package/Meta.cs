@@ -6,7 +6,6 @@ namespace RigidBodyDynamics.Lab.Package;
 /// <summary>The files beside assets in which Unity stores their GUIDs.</summary>
 internal static partial class Meta
 {
-    /// <summary>The GUID in a meta.</summary>
     public static string GuidOf(string path, byte[] meta)
     {
         Match guid = Head().Match(Encoding.UTF8.GetString(meta));

@@ -10,13 +10,11 @@ internal sealed record CostDiagrams(IReadOnlyList<CostFindings> Found) : Section
     /// <inheritdoc/>
     public override string Kind => "cost";
 
-    /// <summary>The motions.</summary>
     public IEnumerable<Of> Motions => Found.Select(found => new Of(found));
 
     /// <summary>One motion.</summary>
     internal sealed class Of(CostFindings found)
     {
-        /// <summary>Its name.</summary>
         public string Name => found.Motion.Scene.Name;
 
         /// <summary>One line about it.</summary>

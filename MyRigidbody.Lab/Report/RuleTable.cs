@@ -51,7 +51,6 @@ internal sealed record RuleTable(IReadOnlyList<RuleTable.Of> Pairs) : Section
         });
     }
 
-    /// <summary>A rule.</summary>
     internal sealed record Row(Word Rule, Word Mine, Word Unitys, Share Distance, Share Turn);
 
     /// <summary>A share: the number, per cent, and a bar of that length.</summary>

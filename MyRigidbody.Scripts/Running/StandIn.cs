@@ -133,7 +133,6 @@ internal sealed class StandIn(CompiledScript compiled, Action afterFrame) : ILab
             Meter.Stop(Stopped.Memory);
     }
 
-    /// <summary>True for the assembly of a script.</summary>
     public static bool IsOfScript(Assembly? assembly) => assembly != null && AssemblyLoadContext.GetLoadContext(assembly)?.Name == Context;
 
     public void Dispose()
@@ -197,5 +196,4 @@ internal sealed class StandIn(CompiledScript compiled, Action afterFrame) : ILab
     }
 }
 
-/// <summary>The script has thrown.</summary>
 internal sealed class ScriptException(Exception thrown) : Exception(thrown.Message, thrown);

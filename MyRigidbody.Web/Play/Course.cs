@@ -40,7 +40,6 @@ internal sealed class Course
     /// <summary>The scene of the file.</summary>
     public SceneDescription Given { get; }
 
-    /// <summary>The played scene.</summary>
     public PlayedScene Scene { get; }
 
     /// <summary>The bodies, without the script's.</summary>
@@ -52,7 +51,6 @@ internal sealed class Course
     /// <summary>The script's object.</summary>
     public ScriptBody? Script { get; private set; }
 
-    /// <summary>The number of steps done.</summary>
     public long StepsDone => _simulation.StepsDone;
 
     /// <summary>Time since the start, s.</summary>

@@ -36,7 +36,6 @@ internal sealed class PlayedScene
         HasEnd = steps.FirstOfOtherLength >= 0 || !TakesKeys || Bodies(_scene).Any(body => Effects(body).Any(effect => effect.ContainsKey("perStep")));
     }
 
-    /// <summary>Its steps.</summary>
     public TimeSteps Steps { get; }
 
     /// <summary>False for a recording, whose forces and torques are the recorded ones.</summary>

@@ -6,7 +6,7 @@ namespace RigidBodyDynamics.BitHash
     /// </summary>
     public static class BitHashScene
     {
-        /// <summary>How many steps the fingerprint covers.</summary>
+        /// <summary>The number of steps that the fingerprint covers.</summary>
         public const int Steps = 10000;
 
         /// <summary>The fingerprint.</summary>
@@ -35,7 +35,7 @@ namespace RigidBodyDynamics.BitHash
             return hash.Value;
         }
 
-        /// <summary>Bodies that nothing pushes, one of each kind of top, in short steps and in steps of many radians.</summary>
+        /// <summary>Free bodies, one of each kind of top, with short steps and with steps of many radians.</summary>
         private static void Free(ref StateHash hash)
         {
             Vector3d[] moments =

@@ -9,7 +9,7 @@ namespace RigidBodyDynamics.BitHash
         private const int Bodies = 37;
         private static readonly TimeSteps Steps = TimeSteps.Every(0.02);
 
-        /// <summary>Throws where a body among many has other bits than alone.</summary>
+        /// <summary>Throws if a body among many has other bits than alone.</summary>
         public static void Compare()
         {
             foreach (Rule rule in Rules.All)

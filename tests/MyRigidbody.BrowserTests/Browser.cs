@@ -8,7 +8,7 @@ using RigidBodyDynamics.Tests.Repository;
 
 namespace RigidBodyDynamics.BrowserTests;
 
-/// <summary>A Chromium without a window, which notes every message of the console and every request.</summary>
+/// <summary>A Chromium without a window, which records every message of the console and every request.</summary>
 internal sealed class Browser : IDisposable
 {
     private static readonly TimeSpan Patience = TimeSpan.FromSeconds(20);
@@ -52,7 +52,7 @@ internal sealed class Browser : IDisposable
     /// <summary>Opens a page from a server and waits until an expression of JavaScript is true.</summary>
     public void Visit(string address, string ready, double? seconds = null)
     {
-        // another part of an address that is open loads nothing
+        // navigating to another fragment of the open address loads nothing
         _driver.Navigate().GoToUrl("about:blank");
         _driver.Navigate().GoToUrl(address);
         Assert.That(Becomes(ready, seconds), NUnit.Framework.Is.True, $"{address} is not ready: " + string.Join("; ", Complaints()));
@@ -62,7 +62,7 @@ internal sealed class Browser : IDisposable
     public void BeforeEachPage(string statements) => _before.Add((string)((Dictionary<string, object>)_driver.ExecuteCdpCommand(
         "Page.addScriptToEvaluateOnNewDocument", new Dictionary<string, object?> { ["source"] = statements })!)["identifier"]);
 
-    /// <summary>Leaves the page, and with it what was set and noted.</summary>
+    /// <summary>Leaves the page, and resets what was set and recorded.</summary>
     public void Forget()
     {
         foreach (string script in _before)
@@ -82,10 +82,10 @@ internal sealed class Browser : IDisposable
     public void SaveTo(string folder) => _driver.ExecuteCdpCommand(
         "Browser.setDownloadBehavior", new Dictionary<string, object?> { ["behavior"] = "allow", ["downloadPath"] = folder });
 
-    /// <summary>Loads the page once more, by the address it has given itself.</summary>
+    /// <summary>Reloads the page from its present address.</summary>
     public void Reload() => OpenAddress("about:blank", _driver.Url);
 
-    /// <summary>What an expression of JavaScript is.</summary>
+    /// <summary>The value of a JavaScript expression.</summary>
     public T Get<T>(string expression, params object[] arguments) => (T)Convert.ChangeType(
         ((IJavaScriptExecutor)_driver).ExecuteScript($"return {expression}", arguments)!, typeof(T), CultureInfo.InvariantCulture);
 
@@ -138,7 +138,7 @@ internal sealed class Browser : IDisposable
         ["mobile"] = isPhone,
     });
 
-    /// <summary>Tells the page which of dark and light the system is set to, and whether who sits before it wants motion.</summary>
+    /// <summary>Sets the system's colour scheme and its preference for reduced motion.</summary>
     public void Prefer(string scheme, string motion = "no-preference") => _driver.ExecuteCdpCommand("Emulation.setEmulatedMedia", new Dictionary<string, object?>
     {
         ["features"] = new object[]
@@ -155,7 +155,7 @@ internal sealed class Browser : IDisposable
         return Regex.Count(Encoding.Latin1.GetString(_driver.Print(paper).AsByteArray), @"/Type\s*/Page\b");
     }
 
-    /// <summary>What the window shows and the whole page as pictures, into artifacts/screenshots.</summary>
+    /// <summary>The window and the whole page as pictures, into artifacts/screenshots.</summary>
     public void Photograph(string name)
     {
         string folder = Directory.CreateDirectory(Root.File("artifacts/screenshots")).FullName;
@@ -167,7 +167,7 @@ internal sealed class Browser : IDisposable
         }
     }
 
-    /// <summary>Controls that a screen reader has no name for, as their roles.</summary>
+    /// <summary>Controls without a name for screen readers, as their roles.</summary>
     public string[] Unnamed()
     {
         string[] roles = ["button", "checkbox", "combobox", "slider", "spinbutton", "textbox", "link", "radio", "tab", "image", "img", "progressbar", "DisclosureTriangle"];
@@ -180,11 +180,11 @@ internal sealed class Browser : IDisposable
             node.TryGetValue(name, out object? found) && found is Dictionary<string, object> value && value.TryGetValue("value", out object? text) ? text as string ?? string.Empty : string.Empty;
     }
 
-    /// <summary>Messages of the console that are not mere notes.</summary>
+    /// <summary>Warnings and errors of the console.</summary>
     public string[] Complaints() =>
         [.. _driver.Manage().Logs.GetLog(LogType.Browser).Where(entry => entry.Level >= LogLevel.Warning).Select(entry => entry.Message)];
 
-    /// <summary>Addresses that were asked for, but for the pages themselves and what stands in them.</summary>
+    /// <summary>Requested addresses, without the pages themselves and their embedded data.</summary>
     public string[] Requests() =>
         [.. _driver.Manage().Logs.GetLog("performance")
             .Select(entry => System.Text.Json.JsonDocument.Parse(entry.Message).RootElement.GetProperty("message"))

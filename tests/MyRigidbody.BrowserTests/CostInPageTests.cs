@@ -3,7 +3,7 @@ using NUnit.Framework;
 
 namespace RigidBodyDynamics.BrowserTests;
 
-/// <summary>What accuracy costs on the scene of the page, measured in the page.</summary>
+/// <summary>Accuracy against time for the scene of the page, measured in the page.</summary>
 public sealed class CostInPageTests : LabPageFixture
 {
     private const string Ready = "window.report?.pictures?.() > 1 && document.getElementById('measure')?.textContent";

@@ -2,12 +2,12 @@ using NUnit.Framework;
 
 namespace RigidBodyDynamics.BrowserTests;
 
-/// <summary>Tests of the lab in a browser, which remembers nothing of other tests at their start.</summary>
+/// <summary>Tests of the lab in a browser, whose storage is empty at their start.</summary>
 public abstract class LabPageFixture : BrowserFixture
 {
     private protected static LabSite Site => Shared.Site;
 
-    /// <summary>What the page has kept goes; a style sheet has the site's storage, and keeps nothing itself.</summary>
+    /// <summary>Clears what the page has stored; done in a style sheet, which has the site's storage and stores nothing itself.</summary>
     [OneTimeSetUp]
     public void Forget()
     {

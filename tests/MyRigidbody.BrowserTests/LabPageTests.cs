@@ -3,7 +3,7 @@ using OpenQA.Selenium;
 
 namespace RigidBodyDynamics.BrowserTests;
 
-/// <summary>The lab in a browser as a whole: what comes over the wire, what is asked of whom, keys, language, small and large screens.</summary>
+/// <summary>The lab in a browser as a whole: transferred files, requests, keys, language, small and large screens.</summary>
 public sealed class LabPageTests : LabPageFixture
 {
     private const string Moves = "window.report?.pictures?.() > 1 && report.time() > 0";
@@ -23,7 +23,7 @@ public sealed class LabPageTests : LabPageFixture
         using LabSite site = new();
         using Browser cold = new();
         cold.Visit(site.Address, Moves);
-        // the editor and the compiler are asked for after the first picture
+        // the editor and the compiler are requested after the first picture
         (string Path, long Bytes)[] sent = [.. site.Sent.TakeWhile(file => !file.Path.StartsWith("write/", StringComparison.Ordinal) && file.Path != "service-worker.js")];
         long bytes = sent.Sum(file => file.Bytes);
         string early = Picture(cold);

@@ -4,7 +4,7 @@ using System.Net.Sockets;
 
 namespace RigidBodyDynamics.BrowserTests;
 
-/// <summary>The built lab in a browser on a server that knows nothing but names and types of files: it packs nothing and adds no header of its own.</summary>
+/// <summary>The built lab in a browser on a plain server: it knows names and types of files, compresses nothing and adds no header.</summary>
 internal sealed class LabSite : IDisposable
 {
     private static readonly Dictionary<string, string> Types = new()
@@ -40,7 +40,7 @@ internal sealed class LabSite : IDisposable
     /// <summary>Of the page.</summary>
     public string Address { get; }
 
-    /// <summary>What it was asked for, and how many bytes it sent, in their order.</summary>
+    /// <summary>The requests, and the number of bytes sent for each, in order.</summary>
     public (string Path, long Bytes)[] Sent => [.. _sent];
 
     /// <summary>Serves it, at the same address as before.</summary>

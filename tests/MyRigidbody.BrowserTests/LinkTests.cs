@@ -2,7 +2,7 @@ using NUnit.Framework;
 
 namespace RigidBodyDynamics.BrowserTests;
 
-/// <summary>A link to the lab carries its state; what is damaged in one is said, and the rest is taken.</summary>
+/// <summary>A link to the lab carries its state; damaged parts are reported, and the rest is used.</summary>
 public sealed class LinkTests : LabPageFixture
 {
     private const string Ready = "window.report?.pictures?.() > 0 && document.getElementById('copy-link') && lab.write?.editor";

@@ -29,7 +29,7 @@ internal static class Pages
         return Run(folder, "页 1.html", "run", "scene.json", "--every", "0", "--out", "end.csv", "--report", "页 1.html");
     }
 
-    /// <summary>What accuracy costs on a short motion.</summary>
+    /// <summary>Accuracy against time for a short motion.</summary>
     public static string Cost(TemporaryFolder folder)
     {
         File.WriteAllText(folder.File("scene.json"), """

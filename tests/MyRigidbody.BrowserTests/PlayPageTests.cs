@@ -5,7 +5,7 @@ using RigidBodyDynamics.Tests.Repository;
 
 namespace RigidBodyDynamics.BrowserTests;
 
-/// <summary>The Play part of the lab: bodies that move while keys are held, and what has been played of them.</summary>
+/// <summary>The Play part of the lab: bodies that move while keys are held, and the saved motion.</summary>
 public sealed class PlayPageTests : LabPageFixture
 {
     private const string Moves = "window.report?.live?.() && report.time() > 0.1";

@@ -7,7 +7,7 @@ using RigidBodyDynamics.Tests.Repository;
 
 namespace RigidBodyDynamics.BrowserTests;
 
-/// <summary>What is played in the page, as WebAssembly in Node, is to the bit what the command line makes of the scene that was saved.</summary>
+/// <summary>The motion played in the page, as WebAssembly in Node, equals to the bit the command line's motion of the saved scene.</summary>
 public sealed class PlayedBitsTests
 {
     private const int Steps = 250, PerBody = 11;

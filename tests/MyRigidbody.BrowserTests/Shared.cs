@@ -2,7 +2,7 @@ using NUnit.Framework;
 
 namespace RigidBodyDynamics.BrowserTests;
 
-/// <summary>What takes seconds to start and is started once: a browser, and a server of the site.</summary>
+/// <summary>Slow to start, so started once: a browser, and a server of the site.</summary>
 [SetUpFixture]
 public sealed class Shared
 {

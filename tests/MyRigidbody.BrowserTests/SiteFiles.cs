@@ -4,7 +4,7 @@ using RigidBodyDynamics.Tests.Repository;
 
 namespace RigidBodyDynamics.BrowserTests;
 
-/// <summary>The files of the lab in a browser, as they were built last.</summary>
+/// <summary>The files of the last build of the lab in a browser.</summary>
 internal static class SiteFiles
 {
     /// <summary>Their folder; the test is skipped where the site was not built.</summary>
@@ -14,7 +14,7 @@ internal static class SiteFiles
     public static string[] Names =>
         [.. Directory.GetFiles(Folder, "*", SearchOption.AllDirectories).Select(file => Path.GetRelativePath(Folder, file).Replace('\\', '/')).Where(name => !IsPackedBeside(name)).Order()];
 
-    /// <summary>What the service worker knows of them: hashes by name.</summary>
+    /// <summary>The service worker's list: hashes by name.</summary>
     public static Dictionary<string, string> OfTheWorker()
     {
         string first = File.ReadLines(InFolder("service-worker.js")).First();

@@ -6,8 +6,8 @@ using RigidBodyDynamics.Tests.Repository;
 namespace RigidBodyDynamics.BrowserTests;
 
 /// <summary>
-/// What runs in a worker of the lab reaches nobody, and a script's worker keeps nothing, even where the list of what a script may name
-/// had a hole: the attacks stand behind the worker's own module, and a server of another address notes who comes.
+/// Code in a worker of the lab reaches no server, and a script's worker stores nothing, even if the list of allowed names had a
+/// hole: the attacks run after the worker's own module, and a server at another address records requests.
 /// </summary>
 public sealed class WorkerPrisonTests : LabPageFixture
 {
@@ -61,7 +61,7 @@ public sealed class WorkerPrisonTests : LabPageFixture
 
         Assert.That(Noted(), Is.SupersetOf(ToServer));
         Assert.That(came.Where(attack => attack.Value == "done").Select(attack => attack.Key), Is.SupersetOf(ToStorage.Append("eval").Append("function")));
-        // that there is nothing at the addresses
+        // checks that nothing was received at the addresses
         Browser.Complaints();
     }
 
@@ -93,7 +93,7 @@ public sealed class WorkerPrisonTests : LabPageFixture
         Assert.That(Browser.Complaints(), Has.Some.Contains("Content Security Policy"));
     }
 
-    /// <summary>What came of each attack from a worker.</summary>
+    /// <summary>The result of each attack from a worker.</summary>
     private Dictionary<string, string> Attack(string worker)
     {
         _noted = _other.Sent.Length;

@@ -8,8 +8,8 @@ using UnityEngine;
 namespace RigidBodyDynamics.ComponentTimes
 {
     /// <summary>
-    /// What a fixed step of the component costs on the stand-in for the engine: keys, the step of the library, the pose.
-    /// With "R" held, so that all five formulas are computed. And what ExactRotation adds to Unity's own body.
+    /// The cost of a fixed step of the component on the stand-in for the engine: keys, the step of the library, the pose.
+    /// With "R" held, so that all five formulas are computed. And the additional cost of ExactRotation on Unity's own body.
     /// </summary>
     internal static class Program
     {

@@ -1,6 +1,6 @@
 namespace RigidBodyDynamics.Contacts;
 
-/// <summary>A slab thrown about in a room: how much of its energy is left as motion, with ExactRotation and without, of forty throws.</summary>
+/// <summary>A slab thrown in a room: the part of its energy that is left as motion, with ExactRotation and without, in forty throws.</summary>
 internal static class Bounce
 {
     private const int Throws = 40, FiveSeconds = 250, Times = 6;

@@ -1,6 +1,6 @@
 namespace RigidBodyDynamics.Contacts;
 
-/// <summary>A slab thrown about its middle axis where nothing touches it, beside the closed form.</summary>
+/// <summary>A slab thrown about its middle axis without contacts, compared with the closed form.</summary>
 internal static class Flight
 {
     private const int Minute = 3000;

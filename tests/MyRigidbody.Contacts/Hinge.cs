@@ -1,6 +1,6 @@
 namespace RigidBodyDynamics.Contacts;
 
-/// <summary>A block hung by its centre on an axis of the world, turned about it: the joint is the engine's, and holds as it does alone.</summary>
+/// <summary>A block on a hinge through its centre, rotated about it: the joint is the engine's, and holds as well as without ExactRotation.</summary>
 internal static class Hinge
 {
     public static bool Holds(PhysX engine)

@@ -2,7 +2,7 @@ using Microsoft.VisualBasic.FileIO;
 
 namespace RigidBodyDynamics.Figures;
 
-/// <summary>What cost and bench wrote into a folder: lines by the names of their columns.</summary>
+/// <summary>The output of cost and bench in a folder: lines by the names of their columns.</summary>
 internal sealed class Measured
 {
     private readonly string _folder;

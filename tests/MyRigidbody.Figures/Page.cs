@@ -6,14 +6,14 @@ namespace RigidBodyDynamics.Figures;
 /// <summary>A page with tables between "figures: NAME" and "end", each with a head of two lines that stays as it is.</summary>
 internal static partial class Page
 {
-    // another machine has other ratios too, and this one is not always quiet
+    // other machines have other ratios, and this one is not always quiet
     private const double Noise = 2;
 
     /// <summary>The page with the tables that were measured.</summary>
     public static string Written(string text, Func<string, IReadOnlyList<string[]>?> measured) => Table().Replace(text, table =>
         table.Groups["head"].Value + string.Concat(Rows(table, measured).Select(cells => "| " + string.Join(" | ", cells) + " |\n")) + table.Groups["end"].Value);
 
-    /// <summary>Where the page and what was measured part: in a word, an error, or a time by more than noise.</summary>
+    /// <summary>The differences between the page and the measurement: a word, an error, or a time by more than noise.</summary>
     public static IEnumerable<string> Differences(string text, Func<string, IReadOnlyList<string[]>?> measured)
     {
         foreach (Match table in Table().Matches(text))
@@ -25,7 +25,7 @@ internal static partial class Page
             if (shown.Length != found.Count)
                 yield return $"{name}: {shown.Length} rows on the page, {found.Count} measured";
 
-            // a slower machine is slower at everything, so what counts is the ratio to that of most of the table
+            // a slower machine is slower at everything, so times are compared relative to most of the table
             double[] ratios = [.. shown.Zip(found).SelectMany(rows => rows.First.Zip(rows.Second)).Select(cells => Time(cells.First) / Time(cells.Second)).Where(double.IsFinite).Order()];
             double speed = ratios.Length > 0 ? ratios[ratios.Length / 2] : 1;
             foreach ((string[] page, string[] now) in shown.Zip(found))

@@ -2,7 +2,7 @@ using System.Globalization;
 
 namespace RigidBodyDynamics.Figures;
 
-/// <summary>The rows of the tables that pages show of what was measured.</summary>
+/// <summary>The rows of the pages' tables of measurements.</summary>
 internal static class Tables
 {
     // the motion whose picture the README shows, and the scene of the lab
@@ -12,7 +12,7 @@ internal static class Tables
 
     private static readonly double[] Bounds = [1e-3, 1e-6, 1e-9];
 
-    // of the motions of cost, those that stand for a kind
+    // one of each kind among the motions of cost
     private static readonly string[] Kinds = [Free, "body_torque", "world_torque", "lagrange_top", "cube_sin_torque_damped", Lab];
 
     private static readonly string[] OnBoth = ["free body by LabEuler", "free body by Exact", "lab's step, by the library"];
@@ -57,7 +57,7 @@ internal static class Tables
         string Cell(double bound)
         {
             Trial[] below = [.. trials.Where(trial => trial.Error < bound)];
-            // of those that cost the same within the clock's doubt, the first of the catalogue
+            // of costs that the clock cannot separate, the first of the catalogue
             Trial best = below.First(trial => trial.Cost <= SameCost * below.Min(one => one.Cost));
             double other = below.Where(trial => trial.Rule == "RungeKutta4").Select(trial => trial.Cost).DefaultIfEmpty(double.NaN).Min();
             return string.Create(CultureInfo.InvariantCulture, $"`{best.Rule}` {best.Step:G2} s: {Time(best.Cost)} ({Time(other / best.Cost)})");

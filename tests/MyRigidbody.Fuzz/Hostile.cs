@@ -5,7 +5,7 @@ namespace RigidBodyDynamics.Fuzz;
 /// <summary>Input that is not written by mistake: numbers, texts and values that break readers.</summary>
 internal static class Hostile
 {
-    /// <summary>Numbers, and what is almost a number.</summary>
+    /// <summary>Numbers, and texts that are almost numbers.</summary>
     public static readonly string[] Numbers =
     [
         "0", "-0", "-0.0", "1", "-1", "0.5", "1e-6", "1e6", "1e9", "1.0000001e9", "1e18", "1e19", "1e100", "1e150", "1e155", "1e200", "-1e200", "1e308",
@@ -34,7 +34,7 @@ internal static class Hostile
         Repeated("{\"a\":", "1", "}", 64), Repeated("{\"a\":", "1", "}", 2000), new string('[', 3000), "/* */", "//", "nul", "tru", ",", ":", "}", "]", "",
     ];
 
-    /// <summary>Bytes that are no UTF-8, or no text, or text that is something else.</summary>
+    /// <summary>Bytes that are not UTF-8, or text of another kind.</summary>
     public static readonly byte[][] Bytes =
     [
         [0], [0xFF], [0xFE, 0xFF], [0xC0, 0x80], [0xC0, 0xAF], [0xE0, 0x80, 0xAF], [0xF0, 0x80, 0x80, 0xAF], [0xED, 0xA0, 0x80], [0xF4, 0x90, 0x80, 0x80], [0xC3],

@@ -11,18 +11,18 @@ internal sealed record Input(string Name, byte[] Json, byte[]? Csv)
     /// <summary>Bytes in all its files.</summary>
     public long Size => Json.Length + (Csv?.Length ?? 0);
 
-    /// <summary>What is kept in the repository: seeds, and inputs that once found something.</summary>
+    /// <summary>The corpus of the repository: seeds, and inputs that once found an error.</summary>
     public static IReadOnlyList<Input> Corpus() => From(Path.Combine(AppContext.BaseDirectory, "corpus"));
 
-    /// <summary>What mutations start from: the corpus and the scenes that travel with the program.</summary>
+    /// <summary>The seeds of mutations: the corpus and the scenes of the program.</summary>
     public static IReadOnlyList<Input> Seeds() =>
         [.. Corpus(), .. From(Gallery.Folder).Where(input => !input.Name.Contains("schema", StringComparison.Ordinal))];
 
-    /// <summary>Writes its files; a file beside it that it does not have goes.</summary>
+    /// <summary>Writes its files; deletes a file beside it that it does not have.</summary>
     public void Write(string jsonPath)
     {
         string csvPath = Path.ChangeExtension(jsonPath, ".csv");
-        // a file that is made anew need not wait for the disk, as one that is cut to nothing may
+        // a new file need not wait for the disk, as a truncated one may
         File.Delete(jsonPath);
         File.Delete(csvPath);
         File.WriteAllBytes(jsonPath, Json);

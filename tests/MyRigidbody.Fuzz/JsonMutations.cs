@@ -4,7 +4,7 @@ using System.Text.Json;
 
 namespace RigidBodyDynamics.Fuzz;
 
-/// <summary>Changes a JSON text where it means something: values, names, whole objects.</summary>
+/// <summary>Changes a JSON text in its structure: values, names, whole objects.</summary>
 internal sealed class JsonMutations
 {
     private readonly string[] _names;
@@ -97,7 +97,7 @@ internal sealed class JsonMutations
         return Put(json, list.Start, list.End, Text("[" + string.Join(',', all) + "]"));
     }
 
-    /// <summary>Calls the scene or a body something that nobody is called.</summary>
+    /// <summary>Gives the scene or the body an unusual name.</summary>
     private static byte[] Named(byte[] json, List<Node> nodes, Random random)
     {
         Node[] names = [.. nodes.Where(node => node.Type == JsonTokenType.String && node.Name >= 0 && Name(json, node) == "\"name\"")];

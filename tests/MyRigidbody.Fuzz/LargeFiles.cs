@@ -4,7 +4,7 @@ using System.Text;
 namespace RigidBodyDynamics.Fuzz;
 
 /// <summary>
-/// Files of some megabytes that are made of one thing each, so that what a reader needs for it shows. Each is refused, most
+/// Files of some megabytes that repeat one structure each, so that the memory of a reader shows. Each is refused, most
 /// at their very end: a program that reads them does nothing else.
 /// </summary>
 internal static class LargeFiles

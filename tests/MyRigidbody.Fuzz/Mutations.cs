@@ -2,15 +2,14 @@ using System.Text;
 
 namespace RigidBodyDynamics.Fuzz;
 
-/// <summary>Makes of the seeds an endless row of inputs. Input number n is the same whenever it is asked for.</summary>
+/// <summary>Makes an endless sequence of inputs from the seeds. Input number n is always the same.</summary>
 internal sealed class Mutations(IReadOnlyList<Input> seeds, int seed)
 {
-    // what grows without end tests the machine, not the reader
+    // unlimited growth would test the machine, not the reader
     private const int Largest = 1 << 18;
 
     private readonly JsonMutations _json = new(seeds);
 
-    /// <summary>The input of a number.</summary>
     public Input Make(int number)
     {
         Random random = new(unchecked((seed * 1_000_003) + number));

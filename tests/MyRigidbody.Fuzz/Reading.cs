@@ -7,20 +7,20 @@ using RigidBodyDynamics.Lab.Report;
 
 namespace RigidBodyDynamics.Fuzz;
 
-/// <summary>What became of an input.</summary>
+/// <summary>The result of an input.</summary>
 internal enum Outcome
 {
-    /// <summary>The reader said in one line what is wrong.</summary>
+    /// <summary>The reader reported the error in one line.</summary>
     Refused,
 
     /// <summary>It was read and simulated, and all numbers stayed finite.</summary>
     Ran,
 
-    /// <summary>It was read, and the simulation ran out of the range of numbers and was reported.</summary>
+    /// <summary>It was read, and its simulation diverged and was reported.</summary>
     RanAway,
 }
 
-/// <summary>Something an input must not do.</summary>
+/// <summary>An error found by an input.</summary>
 internal sealed class FoundException(string what) : Exception(what);
 
 /// <summary>Reads an input as a user's file, and simulates what was accepted.</summary>
@@ -29,10 +29,10 @@ internal sealed class Reading(string folder)
     /// <summary>What reading any file may allocate beside its multiple of the file, bytes.</summary>
     public const long Base = 64 << 10;
 
-    /// <summary>What every object { … } of the file may allocate beside that: a body or an effect is larger than its text.</summary>
+    /// <summary>The allocation allowed for every object { … } of the file in addition: a body or an effect is larger than its text.</summary>
     public const long BaseOfObject = 2 << 10;
 
-    /// <summary>How many times the size of a file reading it may allocate.</summary>
+    /// <summary>The allocation allowed when reading, as a multiple of the file's size.</summary>
     public const double MostTimes = 20;
 
     private const int MostSteps = 5, MostBodies = 50, MostOfOneKind = 20, Cells = 21;
@@ -40,7 +40,7 @@ internal sealed class Reading(string folder)
     /// <summary>Where the input lies while it is read.</summary>
     public string Path { get; } = System.IO.Path.Combine(folder, "input.json");
 
-    /// <summary>All that was allocated beyond the bases, garbage too, by size of the file.</summary>
+    /// <summary>All allocation beyond the bases, garbage included, by size of the file.</summary>
     public double Times { get; private set; }
 
     /// <summary>Reads; an exception if the input is answered by anything but a refusal or a motion.</summary>

@@ -2,7 +2,7 @@ using System.Globalization;
 
 namespace RigidBodyDynamics.Fuzz;
 
-/// <summary>What many inputs came to.</summary>
+/// <summary>The results of many inputs.</summary>
 internal sealed class Tally
 {
     private readonly int[] _outcomes = new int[Enum.GetValues<Outcome>().Length];
@@ -10,10 +10,10 @@ internal sealed class Tally
     private string _slowestName = "none", _largestName = "none";
     private double _largest;
 
-    /// <summary>How many inputs there were.</summary>
+    /// <summary>The number of inputs.</summary>
     public int Inputs => _outcomes.Sum();
 
-    /// <summary>How many ended so.</summary>
+    /// <summary>The number of inputs with this result.</summary>
     public int this[Outcome outcome] => _outcomes[(int)outcome];
 
     /// <summary>Counts an input.</summary>

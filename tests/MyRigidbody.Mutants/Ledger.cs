@@ -3,8 +3,8 @@ using System.Text.Json;
 namespace RigidBodyDynamics.Mutants;
 
 /// <summary>
-/// What is known of all mutants, so that a run can be broken off and gone on with, and that after a new test only the
-/// survivors have to be asked again.
+/// The stored results of all mutants, so that an interrupted run can continue, and after a new test only the survivors have to
+/// be run again.
 /// </summary>
 internal sealed class Ledger
 {
@@ -18,7 +18,7 @@ internal sealed class Ledger
         _known = written.ToDictionary(outcome => outcome.Mutant);
     }
 
-    /// <summary>What has become of a mutant; nothing if it has not been asked about, or its file has changed.</summary>
+    /// <summary>The result of a mutant; null if it has not been run, or its file has changed.</summary>
     public Fate? this[Mutant mutant] => _known.GetValueOrDefault(mutant)?.Fate;
 
     /// <summary>Writes these, and what was known of others.</summary>

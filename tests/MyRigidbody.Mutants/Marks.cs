@@ -7,8 +7,8 @@ using Microsoft.CodeAnalysis.Text;
 namespace RigidBodyDynamics.Mutants;
 
 /// <summary>
-/// A mark at the head of every member, branch and case: a test that sets none of the marks around a mutant need not be
-/// asked about it. Written into the text, so that the marked Core is the Core with calls in it and nothing else.
+/// A mark at the head of every member, branch and case: a test that sets none of the marks around a mutant need not be run for
+/// it. Written into the text, so that the marked Core is the Core with calls in it and nothing else.
 /// </summary>
 internal sealed class Marks
 {

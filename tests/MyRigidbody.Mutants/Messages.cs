@@ -1,9 +1,9 @@
 namespace RigidBodyDynamics.Mutants;
 
-/// <summary>A test as the unchanged Core leaves it: how long it takes, and which marks it sets.</summary>
+/// <summary>The result of a test on the unchanged Core: its duration, and the marks it sets.</summary>
 internal sealed record KnownTest(string Fixture, string Name, double Milliseconds, int[] Marks);
 
-/// <summary>What all tests reach, and what is reached once for all of them: when types are first used, when cases are listed.</summary>
+/// <summary>Marks set by all tests, and those set once for all of them: when types are first used, when cases are listed.</summary>
 internal sealed record Coverage(KnownTest[] Tests, int[] Once, string[] Failing);
 
 /// <summary>Tests to be run one after another, and the time after which they will not come to an end any more.</summary>

@@ -3,7 +3,7 @@ using Microsoft.CodeAnalysis.Text;
 
 namespace RigidBodyDynamics.Mutants;
 
-/// <summary>One small wrong in one file of the Core: the text at a place, and what stands there instead.</summary>
+/// <summary>A small error in one file of the Core: the text at a place, and its replacement.</summary>
 /// <param name="File">From the folder of the Core, with forward slashes.</param>
 /// <param name="Line">The line it is in, trimmed: it outlives its number.</param>
 internal sealed record Mutant(string File, int Start, int Length, string Line, string Original, string Replacement)
@@ -27,7 +27,7 @@ internal sealed record Mutant(string File, int Start, int Length, string Line, s
     }
 }
 
-/// <summary>What became of a mutant.</summary>
+/// <summary>The result of a mutant.</summary>
 internal enum Fate
 {
     /// <summary>A test that is not a golden hash failed.</summary>
@@ -36,15 +36,15 @@ internal enum Fate
     /// <summary>The tests did not come to an end, or the process did.</summary>
     TimedOut,
 
-    /// <summary>Only the fingerprint of all bits noticed.</summary>
+    /// <summary>Only the fingerprint of all bits changed.</summary>
     KilledByGolden,
 
-    /// <summary>No test noticed.</summary>
+    /// <summary>No test failed.</summary>
     Survived,
 
     /// <summary>The compiler refused it, or made the same code of it: not a mutant.</summary>
     NotOne,
 }
 
-/// <summary>A mutant, its fate, and the test that decided it.</summary>
+/// <summary>A mutant, its result, and the test that decided it.</summary>
 internal sealed record Outcome(Mutant Mutant, Fate Fate, string By);

@@ -1,7 +1,7 @@
 namespace RigidBodyDynamics.Mutants;
 
 /// <summary>
-/// Which tests are asked about a mutant, and in which order: those that reach it, first those that noticed its neighbours,
+/// Which tests are run for a mutant, and in which order: those that reach it, first those that killed its neighbours,
 /// then those that are fast and reach little else, in batches that double, and no more than can run in three and a half seconds.
 /// </summary>
 internal sealed class Plan(Coverage coverage, Marks marks)
@@ -15,7 +15,7 @@ internal sealed class Plan(Coverage coverage, Marks marks)
     /// <summary>The batches for a mutant; none if nothing reaches it.</summary>
     public Batch[] For(Mutant mutant, bool golden)
     {
-        // what stands outside all code, or runs when a type is first used, may be felt by any test
+        // code outside all marks, or run when a type is first used, may affect any test
         bool isFeltEverywhere = marks.Around(mutant) is not int mark || _once.Contains(mark);
         int around = marks.Around(mutant) ?? -1;
         IEnumerable<KnownTest> tests = coverage.Tests.Where(test => (test.Fixture == Golden) == golden);
@@ -35,7 +35,7 @@ internal sealed class Plan(Coverage coverage, Marks marks)
         return [.. batches];
     }
 
-    /// <summary>Remembers that a test noticed a mutant.</summary>
+    /// <summary>Remembers that a test killed a mutant.</summary>
     public void Noticed(Mutant mutant, string test)
     {
         lock (_noticed)

@@ -3,8 +3,8 @@ using System.Text.Json;
 namespace RigidBodyDynamics.Mutants;
 
 /// <summary>
-/// Why a survivor survives, as somebody found who looked at it: reasons.json beside this file. A reason either says that
-/// the mutant does the same as the original, but for time and the last bits, or that the tests are too weak for it.
+/// Why a survivor survives, as found by examining it: reasons.json beside this file. A reason either says that the mutant does
+/// the same as the original, except for time and the last bits, or that the tests are too weak for it.
 /// </summary>
 internal sealed class Reasons
 {
@@ -13,7 +13,7 @@ internal sealed class Reasons
 
     private Reasons(List<Reason> all) => _all = all;
 
-    /// <summary>Reasons that no survivor has asked for.</summary>
+    /// <summary>Reasons that no survivor has used.</summary>
     public IEnumerable<string> Unused => _all.Where(reason => !_used.Contains(reason)).Select(reason => $"{reason.File}: {reason.Line}: {reason.Change}");
 
     public static Reasons Read(string path) =>

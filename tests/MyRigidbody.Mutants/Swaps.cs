@@ -4,7 +4,7 @@ using Microsoft.CodeAnalysis.CSharp;
 
 namespace RigidBodyDynamics.Mutants;
 
-/// <summary>What is put in the place of what.</summary>
+/// <summary>The replacements of each construct.</summary>
 internal static class Swaps
 {
     /// <summary>

@@ -7,7 +7,7 @@ using System.Runtime.InteropServices;
 
 namespace RigidBodyDynamics.StepTimes
 {
-    /// <summary>Many bodies together against the same bodies one by one, and against what the memory can do.</summary>
+    /// <summary>Many bodies together, compared with the same bodies one by one, and with the bandwidth of memory.</summary>
     internal static class BatchTimes
     {
         private const int InCache = 1000, InMemory = 1000000, Turns = 300, StepsOfTurn = 10;

@@ -3,8 +3,8 @@ using System;
 namespace RigidBodyDynamics.StepTimes
 {
     /// <summary>
-    /// The lab's five formulas written for one body, number by number in one method: what a step costs where nothing is general. It comes to
-    /// the bits of the library's, or there is no time.
+    /// The lab's five formulas written for one body, component by component in one method: the cost of a step without any generality. It must give
+    /// the bits of the library's, or no time is printed.
     /// </summary>
     internal sealed class ByHand
     {

@@ -3,7 +3,7 @@ using System.Globalization;
 
 namespace RigidBodyDynamics.StepTimes
 {
-    /// <summary>What steps cost, as ratios within one run; and what a hundred million of them do to a motion.</summary>
+    /// <summary>The cost of steps, as ratios within one run; and the effect of a hundred million steps on a motion.</summary>
     internal static class Program
     {
         private static int Main(string[] arguments)

@@ -19,7 +19,6 @@ public sealed partial class UnityFile
     /// <summary>Its objects, in the order of the file.</summary>
     public IReadOnlyList<UnityObject> Objects { get; }
 
-    /// <summary>Reads a file.</summary>
     public static UnityFile Read(string path) => Parse(path, File.ReadAllText(path));
 
     /// <summary>Reads the text of a file.</summary>

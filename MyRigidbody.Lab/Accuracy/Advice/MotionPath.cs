@@ -39,7 +39,6 @@ internal sealed class MotionPath
     /// <summary>The times of the states, s.</summary>
     public IReadOnlyList<double> Times => _times;
 
-    /// <summary>The states.</summary>
     public IReadOnlyList<BodyState> States => _states;
 
     /// <summary>The state at any time up to the last, s.</summary>

@@ -7,7 +7,6 @@ namespace RigidBodyDynamics.Lab;
 /// <summary>All trials as CSV: SI units and radians, except nanosecondsPerStep; Infinity where a run broke off.</summary>
 internal static class CostCsv
 {
-    /// <summary>The header.</summary>
     public const string Header =
         "scene,integrator,order,step,steps,angleError,positionError,energyDrift,momentumDrift,nanosecondsPerStep,secondsPerSimulatedSecond";
 

@@ -61,7 +61,6 @@ internal static class CheckPage
         private string Source(int? line) => line is { } at && Report.Text.Split('\n') is var lines && at <= lines.Length ? lines[at - 1].Trim() : string.Empty;
     }
 
-    /// <summary>One step.</summary>
     internal sealed record Lamp(Word Step, string Formula, Word Result, string Kind, string Line);
 
     /// <summary>One finding, with the line of the script.</summary>

@@ -19,7 +19,6 @@ internal sealed class MeshBuilder(string path)
     /// <summary>The number of triangles with two equal corners.</summary>
     public int Collapsed { get; private set; }
 
-    /// <summary>The number of the vertex at a position.</summary>
     public int Vertex(Vector3d position, string place)
     {
         if (!position.IsFinite)

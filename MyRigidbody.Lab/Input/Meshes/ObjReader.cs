@@ -9,7 +9,6 @@ namespace RigidBodyDynamics.Lab.Meshes;
 /// </summary>
 internal static class ObjReader
 {
-    /// <summary>Reads a file.</summary>
     public static void Read(ReadOnlySpan<byte> file, MeshBuilder mesh)
     {
         // numbers of the merged vertices, in the order of the file

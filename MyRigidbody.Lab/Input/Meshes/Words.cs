@@ -17,7 +17,6 @@ internal ref struct Words
         _rest = text.StartsWith("\uFEFF"u8) ? text[3..] : text;
     }
 
-    /// <summary>The word.</summary>
     public ReadOnlySpan<byte> Word { get; private set; }
 
     /// <summary>Its line.</summary>

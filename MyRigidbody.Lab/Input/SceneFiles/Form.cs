@@ -41,7 +41,6 @@ internal abstract class Form
     /// <summary>An object with the fields that are read, and no other.</summary>
     public abstract T Object<T>(string about, Func<Form, T> read);
 
-    /// <summary>A number or an object.</summary>
     public abstract T NumberOrObject<T>(string about, Func<Form, T> number, Func<Form, T> fields);
 
     /// <summary>[x, y, z] or an object.</summary>

@@ -16,7 +16,6 @@ internal static class Stage
         ([0, 1, 3, 2], 2, -1), ([4, 6, 7, 5], 2, 1),
     ];
 
-    /// <summary>The color of ω.</summary>
     public static SKColor Spin { get; } = SKColor.Parse("#2c7a3f");
 
     /// <summary>The color of L, which is dashed.</summary>

@@ -32,7 +32,6 @@ internal sealed class TrajectoryCsv(Stream stream) : IDisposable
         }
     }
 
-    /// <summary>The header.</summary>
     public void WriteHeader() => stream.Write("body,step,t,px,py,pz,qw,qx,qy,qz,vx,vy,vz,wx,wy,wz,Lx,Ly,Lz,kineticEnergy,asleep\n"u8);
 
     /// <summary>One row for every body, with its present state.</summary>

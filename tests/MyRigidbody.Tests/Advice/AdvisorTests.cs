@@ -3,7 +3,7 @@ using RigidBodyDynamics.Lab;
 
 namespace RigidBodyDynamics.Tests;
 
-/// <summary>What is advised holds when it is run, and what cannot be had is said to be so.</summary>
+/// <summary>The advice holds when it is run, and an impossible error bound is reported as such.</summary>
 public sealed class AdvisorTests
 {
     private static readonly Vector3d Down = new(0, -9.81, 0);
@@ -132,7 +132,7 @@ public sealed class AdvisorTests
         Assert.That(found, Is.All.EqualTo(double.PositiveInfinity));
     }
 
-    // a push at the beginning alone makes the first steps the dearest
+    // a push at the beginning alone makes the first steps the most expensive
     [Test]
     public void Long_run_is_timed_at_sixteen_places_spread_over_all_of_it()
     {

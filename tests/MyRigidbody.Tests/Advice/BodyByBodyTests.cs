@@ -3,7 +3,7 @@ using RigidBodyDynamics.Lab;
 
 namespace RigidBodyDynamics.Tests;
 
-/// <summary>What is advised for each body of a scene by itself.</summary>
+/// <summary>The advice for each body of a scene alone.</summary>
 public sealed class BodyByBodyTests
 {
     private const double Error = 1e-6;

@@ -3,7 +3,7 @@ using RigidBodyDynamics.Lab;
 
 namespace RigidBodyDynamics.Tests;
 
-/// <summary>The measurement that a reader waits for leaves steps out, and nothing else.</summary>
+/// <summary>The measurement within a given time leaves out steps, and nothing else.</summary>
 public sealed class CostInTimeTests
 {
     // hardly any: only what is measured however long it takes

@@ -5,7 +5,7 @@ using RigidBodyDynamics.Tests.CommandLine;
 namespace RigidBodyDynamics.Tests;
 
 /// <summary>
-/// What <c>choose</c> promises of a scene holds by a method that shares nothing with it. More scenes than a few:
+/// The advice of <c>choose</c> for a scene holds by a method that shares nothing with it. More scenes than a few:
 /// <c>dotnet test ... --filter PromiseTests -- TestRunParameters.Parameter(name=\"scenes\",value=\"200\")</c>.
 /// </summary>
 public sealed class PromiseTests

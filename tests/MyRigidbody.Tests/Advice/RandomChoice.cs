@@ -4,9 +4,9 @@ namespace RigidBodyDynamics.Tests;
 
 /// <summary>A random scene, and an error bound; all of it follows from a number.</summary>
 /// <remarks>
-/// Twelve kinds in turn: springs in time with whole seconds, springs on an arm, windows on decimal, frame and odd times, throws with drag,
+/// Twelve kinds one after another: springs in phase with whole seconds, springs on an arm, windows on decimal, frame and odd times, throws with drag,
 /// stiff springs with damping, heavy tops, torques in world and body axes, free tops, two bodies at once, the lab's keys with its factor per
-/// step, lists of steps, and fast swings of a body that is hung up by a point.
+/// step, lists of steps, and fast oscillations of a body that is hung up by a point.
 /// </remarks>
 internal sealed class RandomChoice
 {
@@ -31,7 +31,7 @@ internal sealed class RandomChoice
     /// <summary>The scene file.</summary>
     public string Json { get; }
 
-    /// <summary>The error that is asked for, the larger of rad and m.</summary>
+    /// <summary>The error bound, the larger of rad and m.</summary>
     public double Error { get; }
 
     /// <summary>The scene of a number.</summary>

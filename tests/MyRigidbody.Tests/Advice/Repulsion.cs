@@ -1,6 +1,6 @@
 namespace RigidBodyDynamics.Tests;
 
-/// <summary>A push away from the origin with the distance: what starts beside it flees as e^(√rate t).</summary>
+/// <summary>A push away from the origin, in proportion to the distance: a body beside the origin moves away as e^(√rate t).</summary>
 internal readonly struct Repulsion(double rate) : IPush
 {
     public EffectTraits Traits => EffectTraits.Moves | EffectTraits.ReadsPosition;

@@ -4,7 +4,7 @@ using RigidBodyDynamics.Lab;
 
 namespace RigidBodyDynamics.Tests;
 
-/// <summary>The longest step that holds is found among steps that a person can type and that meet the effects.</summary>
+/// <summary>The longest step below the bound is found among steps that can be typed and that coincide with the effects.</summary>
 public sealed class StepSearchTests
 {
     [Test]

@@ -14,7 +14,7 @@ internal sealed record Entry(Type Type, MethodBase Method)
         ["TPush"] = typeof(HeldKeys),
     };
 
-    /// <summary>All of them, whoever adds one.</summary>
+    /// <summary>All of them, including future ones.</summary>
     public static IReadOnlyList<Entry> All { get; } =
     [
         .. from type in typeof(Simulation).Assembly.GetExportedTypes()

@@ -6,8 +6,8 @@ using NUnit.Framework;
 namespace RigidBodyDynamics.Tests;
 
 /// <summary>
-/// Every public constructor, method and setter of the library, found by reflection, is given one value that nobody should
-/// pass among sound ones.
+/// Every public constructor, method and setter of the library, found by reflection, gets one invalid value among sound
+/// ones.
 /// </summary>
 public sealed class EveryEntryTests
 {
@@ -18,7 +18,7 @@ public sealed class EveryEntryTests
         typeof(Wrench), typeof(Instant), typeof(BodyState),
     ];
 
-    // asked in every step, by a simulation that has checked what it was given at its start
+    // called in every step, by a simulation that has checked its input at the start
     private static readonly string[] InnerLoop =
         [nameof(IPush.At), nameof(IPush.Over), nameof(ICoast.AddTo), nameof(IIntegrator.Start), nameof(IIntegrator.Push), nameof(IIntegrator.Prepare), nameof(IIntegrator.Step)];
 

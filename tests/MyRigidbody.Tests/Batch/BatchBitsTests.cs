@@ -2,7 +2,7 @@ using NUnit.Framework;
 
 namespace RigidBodyDynamics.Tests;
 
-/// <summary>A body comes to the same bits among many as alone.</summary>
+/// <summary>A body gets the same bits among many as alone.</summary>
 public sealed class BatchBitsTests
 {
     private static readonly Dictionary<string, Func<BodyDescription, BodyDescription>> Acting = new()

@@ -2,7 +2,7 @@ using NUnit.Framework;
 
 namespace RigidBodyDynamics.Tests;
 
-/// <summary>An effect that throws or gives no number is named, as in a simulation, with the body that it did it to.</summary>
+/// <summary>An effect that throws or gives NaN is named, as in a simulation, with the body on which it acted.</summary>
 public sealed class BatchEffectTests
 {
     private static readonly string[] RuleNames = [.. Rules.All.Select(rule => rule.Name)];

@@ -2,7 +2,7 @@ using NUnit.Framework;
 
 namespace RigidBodyDynamics.Tests;
 
-/// <summary>Of many bodies the one that runs away is named, with the step in which it did; all stand before it, and the others can go on.</summary>
+/// <summary>Of many bodies the one that diverges is named, with its step; all are then before that step, and the others can go on.</summary>
 public sealed class BatchOverflowTests
 {
     // the largest velocity whose square is a number
@@ -28,7 +28,7 @@ public sealed class BatchOverflowTests
             StateOverflowException error = Lost(batch, count);
             Assert.That((error.Body, error.Number, error.Step), Is.EqualTo(("b", 1500, alone.Step)));
             Assert.That(error.Message, Does.StartWith($"body \"b\" 1500: {rule} has diverged: no finite state at t = {(alone.Step + 1) * 0.02} s, after step {alone.Step}"));
-            // calls of less than 64 steps are not all looked at: so the beginning of the call that ends with step 64, or the step
+            // states are not tested after every call of less than 64 steps: so the beginning of the call that ends with step 64, or the step itself
             Assert.That(batch.StepsDone, Is.EqualTo(Math.Max(alone.Step, (count < 64 ? 63 : 0) / count * count)));
 
             batch.Remove(1500);

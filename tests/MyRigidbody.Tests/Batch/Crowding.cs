@@ -2,7 +2,7 @@ using NUnit.Framework;
 
 namespace RigidBodyDynamics.Tests;
 
-/// <summary>Bodies of all kinds and starts that a careless lane gets wrong, and what must hold of many of them.</summary>
+/// <summary>Bodies of all kinds and starts that break a careless lane, and what must hold for many of them.</summary>
 internal static class Crowding
 {
     private static readonly Quaterniond Tilt = new(0.9, 0.1, -0.3, 0.2);
@@ -20,7 +20,7 @@ internal static class Crowding
         MassProperties.FromPrincipal(2, new Vector3d(2, 2, 2), Tilt, Center),
     ];
 
-    /// <summary>Random starts, every few of them at rest, at 1e-80, about the unstable axis, or many turns a step.</summary>
+    /// <summary>Random starts, every few of them at rest, at 1e-80, about the unstable axis, or with many revolutions a step.</summary>
     public static BodyState[] Starts(int count, int seed, BodyDescription body)
     {
         Random random = new(seed);

@@ -1,6 +1,6 @@
 namespace RigidBodyDynamics.Tests;
 
-/// <summary>Bodies that a simulation stores and steps together, by the number in which they came.</summary>
+/// <summary>Bodies that a simulation stores and steps together, by the order in which they were added.</summary>
 internal sealed class Together
 {
     private readonly Simulation _simulation;

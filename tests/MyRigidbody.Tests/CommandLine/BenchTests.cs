@@ -4,7 +4,7 @@ using RigidBodyDynamics.Lab.Bench;
 
 namespace RigidBodyDynamics.Tests.CommandLine;
 
-/// <summary>What bench compares is comparable. That it runs is a check of .ci/run: no test takes time.</summary>
+/// <summary>The measurements that bench compares exist. That it runs is a check of .ci/run: no test measures time.</summary>
 public sealed class BenchTests
 {
     [Test]
@@ -24,7 +24,7 @@ public sealed class BenchTests
     [Test]
     public void Every_ratio_is_of_things_that_are_measured()
     {
-        // a name that nothing has would silently leave a ratio out
+        // an unknown name would silently leave out a ratio
         string[] measured = [.. new[] { Suite.ByRule(), Suite.ByHand(), Suite.Torques(), Suite.Effects(), Suite.Shapes(), Suite.Denormals(), Suite.Many(1000), LivingSuite.Calls() }
             .SelectMany(group => group).Select(measurement => measurement.What)];
         Assert.That(Ratios.Names.Where(name => !measured.Contains(name)), Is.Empty);

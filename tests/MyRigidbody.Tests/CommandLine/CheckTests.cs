@@ -4,7 +4,7 @@ using NUnit.Framework;
 
 namespace RigidBodyDynamics.Tests.CommandLine;
 
-/// <summary>check, as a student calls it.</summary>
+/// <summary>check, as a student runs it.</summary>
 public sealed class CheckTests
 {
     private const string Right = "210840007_学生一", Half = "210840364_学生五二", File = "MyRigidbody.cs";

@@ -4,7 +4,7 @@ using RigidBodyDynamics.Lab;
 
 namespace RigidBodyDynamics.Tests.CommandLine;
 
-/// <summary>Bodies in numbers, from the scene file to the trajectory.</summary>
+/// <summary>Bodies with a count, from the scene file to the trajectory.</summary>
 public sealed class CrowdTests
 {
     private const string Dust = """

@@ -3,7 +3,7 @@ using NUnit.Framework;
 
 namespace RigidBodyDynamics.Tests.CommandLine;
 
-/// <summary>What does not fit into memory is refused in one line, before it is tried where that can be known.</summary>
+/// <summary>A scene that needs too much memory is refused in one line, before it is allocated where the need is known.</summary>
 public sealed class MemoryTests
 {
     private const string Crowd = """{ "name": "b", "inertia": { "principal": [1, 2, 3] }, "angularVelocity": [1, 2, 3], "count": 10000000 }""";

@@ -3,7 +3,7 @@ using NUnit.Framework;
 
 namespace RigidBodyDynamics.Tests.CommandLine;
 
-/// <summary>No command writes over what it reads, nor puts a file in the place of something else.</summary>
+/// <summary>No command overwrites its input, nor replaces anything but a plain file.</summary>
 public sealed class OverwritingTests
 {
     private const string Short = """{ "schema": "rigid-body-scene/1", "name": "s", "step": 0.1, "steps": 2, "bodies": [ { "name": "a", "integrator": "LabEuler" } ] }""";

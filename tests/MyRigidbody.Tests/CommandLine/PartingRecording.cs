@@ -2,7 +2,7 @@ using System.Text.Json.Nodes;
 
 namespace RigidBodyDynamics.Tests.CommandLine;
 
-/// <summary>A recording whose body, near its unstable axis, felt something at one step that its list of pushes does not tell.</summary>
+/// <summary>A recording whose body, near its unstable axis, had a push at one step that its list of pushes does not contain.</summary>
 internal static class PartingRecording
 {
     /// <summary>The first row that differs.</summary>

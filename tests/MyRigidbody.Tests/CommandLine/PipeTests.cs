@@ -4,7 +4,7 @@ using RigidBodyDynamics.Lab;
 
 namespace RigidBodyDynamics.Tests.CommandLine;
 
-/// <summary>What a shell does with the command line: a reader that leaves, a name that begins with @.</summary>
+/// <summary>The command line in a shell: a reader that closes the pipe, a name that begins with @.</summary>
 public sealed class PipeTests
 {
     [Test]

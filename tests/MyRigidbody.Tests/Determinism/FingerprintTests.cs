@@ -22,7 +22,7 @@ public sealed class FingerprintTests
     [Test]
     public void Fingerprint_is_FNV_1a_over_the_bytes_of_the_numbers()
     {
-        // the yardstick first, against a published value
+        // first the hash function, against a published value
         Assert.That(Fnv(Encoding.ASCII.GetBytes("foobar")), Is.EqualTo(0x85944171f73967e8));
 
         StateHash hash = default;

@@ -2,7 +2,7 @@ using NUnit.Framework;
 
 namespace RigidBodyDynamics.Tests;
 
-/// <summary>What an asymmetric top takes from its moments.</summary>
+/// <summary>The constants of an asymmetric top that follow from its moments.</summary>
 public sealed class TopShapeTests
 {
     [TestCase(1, 2, 2.5)]

@@ -2,7 +2,7 @@ using NUnit.Framework;
 
 namespace RigidBodyDynamics.Tests;
 
-/// <summary>A body that starts turned loses no digit of what is given in its own axes.</summary>
+/// <summary>A body that starts in another orientation loses no digit of numbers given in its own axes.</summary>
 public sealed class TurnedStartTests
 {
     private static readonly Quaterniond Tilt = new(0.9, 0.1, -0.3, 0.2);

@@ -3,9 +3,9 @@ using NUnit.Framework;
 namespace RigidBodyDynamics.Tests;
 
 /// <summary>
-/// A body that turns k times as fast is after a kth of the time where the other is. With k a power of two every number of
-/// the second motion is one of the first with another exponent, so the two agree to the last bit: whatever decides how a
-/// step is taken compares numbers of the same unit.
+/// A body that rotates k times as fast has after a kth of the time the same orientation. With k a power of two every number of
+/// the second motion is one of the first with another exponent, so the two agree to the last bit: every decision about how a
+/// step is computed must compare numbers of the same unit.
 /// </summary>
 public sealed class UnitOfTimeTests
 {

@@ -5,7 +5,7 @@ using static RigidBodyDynamics.Tests.Samples;
 
 namespace RigidBodyDynamics.Tests;
 
-/// <summary>What the scenes of the gallery show is true, and their pictures are of them.</summary>
+/// <summary>The descriptions of the gallery's scenes are true, and their pictures are of them.</summary>
 public sealed class GalleryTests
 {
     private static readonly string[] Pictured = ["thruster", "locked-door", "rocket", "hammer", "t-handle", "homework"];

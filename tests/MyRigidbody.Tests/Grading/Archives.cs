@@ -48,7 +48,6 @@ internal static class Archives
     /// <summary>A zip with files by their names.</summary>
     public static byte[] Zip(params (string Name, byte[] Content)[] files) => Zip(Encoding.UTF8, files);
 
-    /// <summary>A zip whose names are in an encoding.</summary>
     public static byte[] Zip(Encoding names, params (string Name, byte[] Content)[] files)
     {
         MemoryStream bytes = new();
@@ -64,7 +63,6 @@ internal static class Archives
         return bytes.ToArray();
     }
 
-    /// <summary>A text as bytes.</summary>
     public static byte[] Bytes(string text) => Encoding.UTF8.GetBytes(text);
 
     public static void Add(TarWriter tar, string name, byte[] content) =>

@@ -8,17 +8,17 @@ using Match = System.Text.RegularExpressions.Match;
 namespace RigidBodyDynamics.Tests.Grading;
 
 /// <summary>
-/// Stands in for the judge where a test is about reading, deciding and writing: a script says itself what is to be said of it,
-/// in comments like <c>// wrong: orientation half-missing</c>. Without any it is right.
+/// Replaces the judge in tests about reading, deciding and writing: a script states its own verdict in comments like
+/// <c>//wrong: orientation half-missing</c>. Without any it is right.
 /// </summary>
 internal sealed partial class StandInBench : IBench
 {
     private int _judged;
 
-    /// <summary>The number of scripts that were judged and not taken from what was kept.</summary>
+    /// <summary>The number of scripts that were judged and not taken from the store.</summary>
     public int Judged => _judged;
 
-    /// <summary>After so many scripts the run ends as if it was killed.</summary>
+    /// <summary>After this many scripts the run ends as if it were killed.</summary>
     public int EndsAfter { get; init; } = int.MaxValue;
 
     public string Version { get; init; } = "stand-in";

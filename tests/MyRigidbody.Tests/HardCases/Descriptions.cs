@@ -1,6 +1,6 @@
 namespace RigidBodyDynamics.Tests;
 
-/// <summary>One body described in several ways: it must move in one.</summary>
+/// <summary>One body described in several ways: all must move alike.</summary>
 internal static class Descriptions
 {
     private static readonly Vector3d Spin = new(1, 2, -1.5);

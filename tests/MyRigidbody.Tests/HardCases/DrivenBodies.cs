@@ -1,6 +1,6 @@
 namespace RigidBodyDynamics.Tests;
 
-/// <summary>Figures of bodies on which something acts.</summary>
+/// <summary>Measures of bodies with effects.</summary>
 internal static class DrivenBodies
 {
     /// <summary>v against v₀ e^(−ct) after 10 steps of 1 s with c from 1 to 1000 1/s, relative; what is below 1e-300 counts as zero.</summary>
@@ -12,7 +12,7 @@ internal static class DrivenBodies
             BodyState state = Scenery.Run(TimeSteps.Every(1), Ball(integrator, new Vector3d(3, 0, 0)).With(new LinearDamping(rate)).With(new AngularDamping(rate)), 10);
             double right = 3 * Math.Exp(-10 * rate);
             worst = Math.Max(worst, right > 1e-300 ? Math.Abs(state.Velocity.X / right - 1) : Math.Abs(state.Velocity.X));
-            // and it has come v₀/c far
+            // and it has moved v₀/c
             worst = Math.Max(worst, Math.Abs(state.Position.X * rate / (3 * -Expm1(-10 * rate)) - 1));
         }
 
@@ -76,7 +76,7 @@ internal static class DrivenBodies
     }
 
     /// <summary>
-    /// A ball of 1e9 kg and one of 1e-3 kg on a rod, turning end over end: the angle to the turn of a body with two equal
+    /// A ball of 1e9 kg and one of 1e-3 kg on a rod, rotating end over end: the angle to the rotation of a body with two equal
     /// moments after 100 s, rad.
     /// </summary>
     public static double HugeMassRatio(string integrator)
@@ -101,8 +101,8 @@ internal static class DrivenBodies
     }
 
     /// <summary>
-    /// A body 10⁹ m away under gravity and the key R: how far it comes from where the same one comes at the origin after
-    /// 10 s, in last bits of 10⁹ m; infinite if it turns or speeds up by other bits.
+    /// A body 10⁹ m away under gravity and the key R: the difference of its displacement from that of the same one at the origin after
+    /// 10 s, in last bits of 10⁹ m; infinite if its rotation or velocity has other bits.
     /// </summary>
     public static double FarAway(string integrator)
     {

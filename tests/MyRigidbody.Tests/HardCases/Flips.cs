@@ -1,7 +1,7 @@
 namespace RigidBodyDynamics.Tests;
 
 /// <summary>
-/// When a body that spins about its middle axis, a little beside it, turns over: ω₂ passes through zero a quarter of a
+/// The times at which a body that rotates about its middle axis, a little beside it, flips: ω₂ passes through zero a quarter of a
 /// period after its greatest value, and then every half period.
 /// </summary>
 internal static class Flips

@@ -1,11 +1,11 @@
 namespace RigidBodyDynamics.Tests;
 
-/// <summary>Figures of bodies that nothing pushes.</summary>
+/// <summary>Measures of free bodies.</summary>
 internal static class FreeBodies
 {
     private const double Step = 0.02;
 
-    /// <summary>Largest angle to the truth in what the last bit of the inputs does.</summary>
+    /// <summary>Largest angle to the truth, in units of the effect of the last bit of the inputs.</summary>
     public static double Floors(string integrator, string motion, string division) =>
         SolvedRun.Of(motion, integrator, division).Floors;
 
@@ -36,7 +36,7 @@ internal static class FreeBodies
         return Finite((body.AngularMomentum - start.AngularMomentum).Length / start.AngularMomentum.Length);
     }
 
-    /// <summary>The angle to the turn about a principal axis by spin × time after 100 s, the largest of the three axes, rad.</summary>
+    /// <summary>The angle to the rotation about a principal axis by spin × time after 100 s, the largest of the three axes, rad.</summary>
     public static double OffItsAxis(string integrator)
     {
         double worst = 0;

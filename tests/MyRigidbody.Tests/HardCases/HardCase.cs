@@ -2,9 +2,9 @@ namespace RigidBodyDynamics.Tests;
 
 /// <summary>A motion that breaks programs, a number that shows it, and the bound that a good integrator keeps.</summary>
 /// <param name="Name">The claim, as the name of its test.</param>
-/// <param name="Figure">What is measured, with its unit.</param>
-/// <param name="Elsewhere">What other programs make of it; versions as measured.</param>
-/// <param name="Bound">Below this it has to stay.</param>
+/// <param name="Figure">The measure, with its unit.</param>
+/// <param name="Elsewhere">The results of other programs; versions as measured.</param>
+/// <param name="Bound">The upper bound.</param>
 /// <param name="Measure">The number for an integrator of the catalogue.</param>
 internal sealed record HardCase(string Name, string Figure, string Elsewhere, double Bound, Func<string, double> Measure)
 {

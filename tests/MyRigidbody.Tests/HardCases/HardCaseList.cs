@@ -1,6 +1,6 @@
 namespace RigidBodyDynamics.Tests;
 
-/// <summary>The hard cases. What is said of other programs was measured with the versions named, at 1/50 s where no step is.</summary>
+/// <summary>The hard cases. Results of other programs were measured with the versions named, with steps of 1/50 s unless stated.</summary>
 internal static class HardCaseList
 {
     private static readonly Vector3d Top = new(1, 2, 3), Spin = new(1, 1.1, 0.9);

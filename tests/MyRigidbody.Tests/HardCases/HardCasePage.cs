@@ -3,7 +3,7 @@ using System.Text;
 
 namespace RigidBodyDynamics.Tests;
 
-/// <summary>The page of hard cases, docs/hard-cases.md and the same in Chinese, made of what the tests measure.</summary>
+/// <summary>The page of hard cases, docs/hard-cases.md and the same in Chinese, made from the measurements of the tests.</summary>
 internal static class HardCasePage
 {
     private const string English = """

@@ -1,11 +1,11 @@
 namespace RigidBodyDynamics.Tests;
 
-/// <summary>What the page of hard cases says of each of them in Chinese, by the case's name.</summary>
+/// <summary>The Chinese texts of the page of hard cases, by the case's name.</summary>
 internal static class HardCaseWords
 {
     private const string LastBits = "以输入数据的末位为单位", Not = "未测";
 
-    /// <summary>The claim, what is measured, and what other programs make of it.</summary>
+    /// <summary>The claim, the measure, and the results of other programs.</summary>
     public static IReadOnlyDictionary<string, (string Name, string Figure, string Elsewhere)> InChinese { get; } = new Dictionary<string, (string, string, string)>
     {
         ["Needle_one_to_a_million_is_where_it_should_be"] = ("百万比一的细针处在应在的朝向", "10 s 内的最大夹角，" + LastBits, "步长固定的引擎都在 0.5 s 内偏差 0.1 rad"),

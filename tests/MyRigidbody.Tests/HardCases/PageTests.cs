@@ -3,7 +3,7 @@ using NUnit.Framework;
 
 namespace RigidBodyDynamics.Tests;
 
-/// <summary>docs/hard-cases.md, and the same in Chinese, is made of what the tests measure.</summary>
+/// <summary>docs/hard-cases.md, and the same in Chinese, are made from the measurements of the tests.</summary>
 public sealed class PageTests
 {
     /// <summary>MYRIGIDBODY_WRITE=1 dotnet test -c Release --filter Name~Page_of_hard_cases writes it anew.</summary>

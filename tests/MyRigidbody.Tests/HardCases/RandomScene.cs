@@ -21,8 +21,8 @@ internal sealed record RandomScene(
             parts, unit, mass, frame.Item1, frame.Item2, start, turn, fall.Item1, fall.Item2, push));
 
     /// <summary>
-    /// How far an integrator ends from an independent solution, in what both may be wrong: the change of the integrator's own answer when
-    /// its step is halved, and that of Runge and Kutta at an eighth and a sixteenth of it, extrapolated.
+    /// The difference of an integrator's end from an independent solution, relative to the uncertainty of both: the change of the integrator's own
+    /// answer when its step is halved, and that of Runge and Kutta at an eighth and a sixteenth of it, extrapolated.
     /// </summary>
     public double Off(string integrator)
     {
@@ -53,7 +53,7 @@ internal sealed record RandomScene(
         if (Damping > 0)
             body.With(new LinearDamping(Damping)).With(new AngularDamping(0.5 * Damping));
 
-        // pushes of the size of the body: turning it as fast as it turns
+        // pushes of the size of the body's motion: they change ω in the time of a rotation
         double least = Math.Min(moments.X, Math.Min(moments.Y, moments.Z)), k = Math.Min(Mass, least);
         Vector3d torque = 0.5 * least * new Vector3d(1, -0.5, 0.7);
         return Push switch

@@ -13,7 +13,7 @@ public sealed class SolvedMotionTests
         from rule in RulesFor(motion)
         select new object[] { motion, rule };
 
-    // where nothing pushes, Exact4 and Exact6 are Exact
+    // without pushes, Exact4 and Exact6 are Exact
     private static IEnumerable<string> RulesFor(string motion) =>
         Rules.Where(rule => !SolvedRun.IsFree(motion) || rule is not ("Exact4" or "Exact6"));
 
@@ -71,7 +71,7 @@ public sealed class SolvedMotionTests
         Assert.That(exact6, Is.LessThanOrEqualTo(exact4 + Rounding));
         Assert.That(exact4, Is.LessThanOrEqualTo(exact + Rounding));
         Assert.That(exact, Is.LessThanOrEqualTo(splitting + Rounding));
-        // drag reads the velocity: there is no kick in closed form beside gravity, and Exact4 has no head start
+        // drag reads the velocity: it has no exact flow beside gravity, so Exact4 has no advantage
         if (motion != "fall_quadratic_drag")
             Assert.That(exact4, Is.LessThanOrEqualTo(kutta + Rounding));
 

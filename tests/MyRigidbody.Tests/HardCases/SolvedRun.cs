@@ -4,7 +4,7 @@ namespace RigidBodyDynamics.Tests;
 
 /// <summary>One solved motion by one integrator with one division of time: its largest error.</summary>
 /// <param name="Error">The larger of the angle, rad, and the distance, m; infinite if the run broke off.</param>
-/// <param name="Floors">The same in what the last bit of the inputs does (running maximum).</param>
+/// <param name="Floors">The same in units of the effect of the last bit of the inputs (running maximum).</param>
 /// <param name="Energy">Kinetic energy against the true one, relative to its largest.</param>
 /// <param name="Momentum">The vector L against the true one, relative to its largest.</param>
 internal sealed record SolvedRun(double Error, double Floors, double Energy, double Momentum)

@@ -2,7 +2,7 @@ using NUnit.Framework;
 
 namespace RigidBodyDynamics.Tests;
 
-/// <summary>A constant force is part of the motion with which a body coasts, as gravity is.</summary>
+/// <summary>A constant force has a closed form, as gravity has.</summary>
 public sealed class ConstantForceTests
 {
     private const double Mass = 1, Damping = 30;

@@ -2,7 +2,7 @@ using NUnit.Framework;
 
 namespace RigidBodyDynamics.Tests;
 
-/// <summary>Shorter steps under damping and a torque add up roundings as slowly as they must.</summary>
+/// <summary>Shorter steps under damping and a torque accumulate roundings no faster than they must.</summary>
 public sealed class DampingUnderTorqueTests
 {
     private const double Time = 20;

@@ -4,12 +4,12 @@ using RigidBodyDynamics.Tests.SceneFiles;
 namespace RigidBodyDynamics.Tests;
 
 /// <summary>
-/// The sheet's q + [0, ½Δt ω] q turns by 2 atan(ω Δt / 2), Unity by ω Δt. A homework script may do the one or the other: scenes say which, for
+/// The sheet's q + [0, ½Δt ω] q rotates by 2 atan(ω Δt / 2), Unity by ω Δt. A homework script may use either formula: scenes say which, for
 /// the lab's integrators and for Unity's.
 /// </summary>
 public sealed class FirstOrderOrientationTests
 {
-    // a ball that spins at 6 rad/s about an axis that is none of its own, 50 steps of 0.02 s
+    // a ball that rotates at 6 rad/s about none of its own axes, 50 steps of 0.02 s
     private const double Spin = 6, Step = 0.02;
 
     [TestCase("LabEuler", "", true)]

@@ -3,8 +3,8 @@ using NUnit.Framework;
 namespace RigidBodyDynamics.Tests;
 
 /// <summary>
-/// One short step of a torque on a body at rest. Whatever the integrator, it leaves ω = Δt I⁻¹ τ, with the inertia of a body
-/// whose principal axes are not its own and which stands turned in the world.
+/// One short step of a torque on a body at rest. By every integrator it gives ω = Δt I⁻¹ τ, for a body whose principal axes are not
+/// its own and whose orientation is not the world's.
 /// </summary>
 public sealed class FromRestTests
 {

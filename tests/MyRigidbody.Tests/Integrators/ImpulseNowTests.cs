@@ -3,8 +3,8 @@ using NUnit.Framework;
 namespace RigidBodyDynamics.Tests;
 
 /// <summary>
-/// An impulse that is given at once, by every integrator: it is all that both momenta gain, and the pose stays. Momenta are summed
-/// over the points of the body, so nothing of an integrator's own inertia is asked.
+/// An impulse that is given at once, by every integrator: both momenta gain exactly it, and the pose stays. Momenta are summed
+/// over the points of the body, independently of an integrator's own inertia.
 /// </summary>
 public sealed class ImpulseNowTests
 {

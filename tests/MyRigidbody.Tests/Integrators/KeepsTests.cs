@@ -3,7 +3,7 @@ using NUnit.Framework;
 namespace RigidBodyDynamics.Tests;
 
 /// <summary>
-/// What an integrator of the catalogue says that it keeps of a freely turning body, it keeps; and what it does not say, it loses.
+/// An integrator of the catalogue conserves what it declares of a freely rotating body; and what it does not declare, it loses.
 /// </summary>
 public sealed class KeepsTests
 {

@@ -11,7 +11,7 @@ public struct MomentumEuler : IIntegrator
     private Vector3d _x, _v, _l;
     private Quaterniond _q;
 
-    // what is kept is the centre of mass; what is asked for is the origin of the body frame
+    // the centre of mass is stored; the state is that of the origin of the body frame
     public BodyState State => new BodyState(_x - _q.Rotate(_mass.CenterOfMass), _q, _v, AngularVelocity(_q, _l));
 
     public bool IsAsleep => false;

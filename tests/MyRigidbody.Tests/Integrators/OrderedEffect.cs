@@ -43,7 +43,7 @@ internal sealed record OrderedEffect(string Name, Action<BodyDescription, double
     /// <summary>True for the factor per step, of order 1 by every integrator.</summary>
     public bool IsPerStep => Name == "decay per step";
 
-    /// <summary>The same with the rate that a factor per step stands for: what the motion is held against.</summary>
+    /// <summary>The same with the rate that a factor per step stands for: the motion is compared with that.</summary>
     public OrderedEffect[] InRates() => !IsPerStep ? [this] :
     [
         Coast("linear", _ => new LinearDamping(-Math.Log(0.95) / DecayStep)),
@@ -86,8 +86,8 @@ internal readonly struct MomentumDrag(double c) : IPush
 }
 
 /// <summary>
-/// Force s ω × v on a ball that spins in air. Over is not the exact turn of v about ω but Cayley's, of order 2 only; the same
-/// back and forth, and that is all that is asked.
+/// Force s ω × v on a ball that spins in air. Over is not the exact rotation of v about ω but Cayley's, of order 2 only; it is
+/// reversible, which is enough.
 /// </summary>
 internal readonly struct Lift(double s) : IPush
 {

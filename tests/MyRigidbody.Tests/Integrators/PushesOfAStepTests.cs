@@ -4,7 +4,7 @@ using RigidBodyDynamics.Tests.Repository;
 
 namespace RigidBodyDynamics.Tests;
 
-/// <summary>How often a step asks for a push is what the page says.</summary>
+/// <summary>A step evaluates a push as often as the page says.</summary>
 public sealed class PushesOfAStepTests
 {
     private static IEnumerable<object[]> Rows =>

@@ -2,7 +2,7 @@ using NUnit.Framework;
 
 namespace RigidBodyDynamics.Tests;
 
-/// <summary>What a push does not declare to read is not computed for it: it is shown the state of a struct left empty.</summary>
+/// <summary>A push gets only what it declares to read: the rest of the state is left at its default.</summary>
 public sealed class UnreadTests
 {
     private static readonly BodyState Moving = new(new Vector3d(1, 2, 3), new Quaterniond(0.6, 0, 0.8, 0), new Vector3d(4, 5, 6), new Vector3d(7, 8, 9));

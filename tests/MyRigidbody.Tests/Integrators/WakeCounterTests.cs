@@ -3,7 +3,7 @@ using NUnit.Framework;
 namespace RigidBodyDynamics.Tests;
 
 /// <summary>
-/// What sets the clock of a tired body back: (v² + I ω²/m)/2 of the velocities summed up, against the threshold. Of a body
+/// What resets the counter of a body about to sleep: (v² + I ω²/m)/2 of the summed velocities, against the threshold. For a body
 /// that does not weigh 1 kg; the recordings do.
 /// </summary>
 public sealed class WakeCounterTests

@@ -4,7 +4,7 @@ using RigidBodyDynamics.Judging;
 
 namespace RigidBodyDynamics.Tests.Judging;
 
-/// <summary>What the judge says of scripts whose steps are known.</summary>
+/// <summary>The judge's verdict on scripts whose steps are known.</summary>
 internal sealed class JudgeTests
 {
     private const float H = SheetScript.Step;
@@ -91,7 +91,7 @@ internal sealed class JudgeTests
         Assert.That(verdict.Outcome, Is.EqualTo(Outcome.Doubtful));
     }
 
-    /// <summary>A division by |ω|, which is zero before anything has turned the body.</summary>
+    /// <summary>A division by |ω|, which is zero before the first torque.</summary>
     [Test]
     public void A_number_that_is_none_is_found_in_the_first_frame()
     {
@@ -99,7 +99,7 @@ internal sealed class JudgeTests
         Assert.That(verdict.Findings.Single(), Has.Property("Code").EqualTo("q-not-a-number").And.Property("Since").EqualTo(0));
     }
 
-    /// <summary>Every tensor of a cube is the same from all sides, and the keys' torque keeps its direction.</summary>
+    /// <summary>Every tensor of a cube is the same in all axes, and the keys' torque keeps its direction.</summary>
     [TestCaseSource(nameof(HiddenByTheCube))]
     public void The_scene_of_the_lab_alone_hides_what_the_box_shows(Action<SheetScript>[] steps, Step step)
     {

@@ -19,7 +19,7 @@ internal sealed class LabelledScriptTests
         Assert.That(others, Is.Empty);
     }
 
-    /// <summary>What is said of the script, where it is not what the label says.</summary>
+    /// <summary>The differences of the verdict from the label.</summary>
     private static string? Difference(JsonElement label, ScriptRunner runner)
     {
         string file = label.GetProperty("file").GetString()!;

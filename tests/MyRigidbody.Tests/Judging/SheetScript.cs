@@ -4,7 +4,7 @@ using Vector = RigidBodyDynamics.Judging.Vector;
 
 namespace RigidBodyDynamics.Tests.Judging;
 
-/// <summary>The sheet's script in plain C#, each step of which a test can put another in the place of.</summary>
+/// <summary>The sheet's script in plain C#, in which a test can replace each step.</summary>
 internal sealed class SheetScript
 {
 #pragma warning disable IDE1006 // names as the sheet has them

@@ -39,7 +39,7 @@ internal static class SmallChanges
         ["R"] = ["I_ref"],
     };
 
-    /// <summary>Numbers that a script may choose as it likes: its mass and its time step.</summary>
+    /// <summary>Numbers that a script may choose freely: its mass and its time step.</summary>
     private static readonly string[] Free = ["mass", "dt", "timeStep", "deltaT", "h", "m"];
 
     public static IEnumerable<(string Name, string Text)> Of(string text)
@@ -75,10 +75,10 @@ internal static class SmallChanges
         $"line {source.Lines.GetLineFromPosition(span.Start).LineNumber + 1}: {source.ToString(span)} -> {other}";
 }
 
-/// <summary>Whether two scripts, put through the same experiments, move differently.</summary>
+/// <summary>True if two scripts move differently in the same experiments.</summary>
 internal static class Difference
 {
-    /// <summary>More than single precision makes of other roundings, and less than any change that matters: measured in m, m/s, rad, rad/s.</summary>
+    /// <summary>More than the effect of other roundings in single precision, and less than any change that matters: in m, m/s, rad, rad/s.</summary>
     private const double Tolerance = 2e-4;
 
     public static bool Between(Recording a, Recording b) => a.Runs.Zip(b.Runs).Any(pair =>

@@ -5,8 +5,8 @@ using RigidBodyDynamics.StudentScripts;
 namespace RigidBodyDynamics.Tests.Judging;
 
 /// <summary>
-/// Right scripts of the sample, changed in one place by a program. A change that moves the body otherwise must be found, one that does not
-/// must not be flagged. Of 1252 changes 1167 run to their end: 776 make a difference, 391 make none. A few by default; all with
+/// Right scripts of the sample, changed in one place by a program. A change of the motion must be found, any other must not be flagged.
+/// Of 1252 changes 1167 run to their end: 776 make a difference, 391 make none. A few by default; all with
 /// MYRIGIDBODY_ALL_CHANGES=1, which takes twenty minutes.
 /// </summary>
 internal sealed class SmallChangesTests

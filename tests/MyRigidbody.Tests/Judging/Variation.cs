@@ -5,12 +5,12 @@ using RigidBodyDynamics.Judging;
 namespace RigidBodyDynamics.Tests.Judging;
 
 /// <summary>
-/// One script of <c>tests/data/variations</c>: a right script, of which some text was exchanged and the lines of some regions are others.
+/// One script of <c>tests/data/variations</c>: a right script with some text exchanged and some regions replaced.
 /// </summary>
-/// <param name="Name">In what it differs.</param>
-/// <param name="Outcome">What it has to be called.</param>
+/// <param name="Name">The variation.</param>
+/// <param name="Outcome">The expected outcome.</param>
 /// <param name="Steps">The steps that are wrong; 0 is the given code.</param>
-/// <param name="Code">The mistake, where one word names it.</param>
+/// <param name="Code">The code of the mistake, where it has one.</param>
 /// <param name="Text">The script.</param>
 internal sealed record Variation(string Name, Outcome Outcome, int[] Steps, string? Code, string Text)
 {

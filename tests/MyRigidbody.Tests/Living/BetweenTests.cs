@@ -3,7 +3,7 @@ using static RigidBodyDynamics.Tests.Samples;
 
 namespace RigidBodyDynamics.Tests;
 
-/// <summary>What is drawn between two steps: the motion itself where it is known, a smooth way from one state to the next elsewhere.</summary>
+/// <summary>The interpolation between two steps: the motion itself where it has a closed form, a smooth path between the states elsewhere.</summary>
 public sealed class BetweenTests
 {
     private const double H = 0.125;

@@ -2,7 +2,7 @@ using NUnit.Framework;
 
 namespace RigidBodyDynamics.Tests;
 
-/// <summary>A collision written by the user, in ten lines, with impulses alone.</summary>
+/// <summary>A collision in ten lines of user code, by impulses alone.</summary>
 public sealed class BounceTests
 {
     private const double G = 9.81;

@@ -3,7 +3,7 @@ using static RigidBodyDynamics.Tests.Samples;
 
 namespace RigidBodyDynamics.Tests;
 
-/// <summary>A body that becomes another in the same place: what goes on, and by what law.</summary>
+/// <summary>A body replaced by another in the same place: what is conserved.</summary>
 public sealed class ChangeTests
 {
     private const double H = 1 / 64.0;
@@ -38,7 +38,7 @@ public sealed class ChangeTests
     [Test]
     public void Rocket_whose_fuel_leaves_comes_to_u_ln_of_its_masses()
     {
-        // steps of fuel are the midpoint rule for ∫ dm/m: off by h²/24 (1/m₁² − 1/m₀²), h the fuel of a step
+        // steps of fuel are the midpoint rule for ∫ dm/m: with the error h²/24 (1/m₁² − 1/m₀²), h the fuel of a step
         const double u = 3;
         double Speed(int steps)
         {

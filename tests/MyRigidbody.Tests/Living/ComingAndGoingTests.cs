@@ -2,7 +2,7 @@ using NUnit.Framework;
 
 namespace RigidBodyDynamics.Tests;
 
-/// <summary>Bodies come and go while the simulation runs.</summary>
+/// <summary>Bodies are added and removed while the simulation runs.</summary>
 public sealed class ComingAndGoingTests
 {
     private static readonly MassProperties Slab = Solids.Box(2, new Vector3d(1, 4, 9));

@@ -1,6 +1,6 @@
 namespace RigidBodyDynamics.Tests;
 
-/// <summary>A random sequence of all that can be done with a simulation and its bodies, told once and lived as often as one likes.</summary>
+/// <summary>A random sequence of operations on a simulation and its bodies, generated once and repeatable.</summary>
 internal sealed class Life
 {
     private readonly List<(int Body, Action<LivedWorld> Do)> _told = [];
@@ -9,10 +9,10 @@ internal sealed class Life
     private readonly bool _isFree;
     private int _bodies;
 
-    /// <param name="seed">Another for another life.</param>
-    /// <param name="operations">How many things happen.</param>
+    /// <param name="seed">The seed of the sequence.</param>
+    /// <param name="operations">The number of operations.</param>
     /// <param name="rules">The integrators of the bodies, chosen at random.</param>
-    /// <param name="isFree">True for bodies whose motion is known: gravity and damping act on them, and no other effect.</param>
+    /// <param name="isFree">True for bodies with a closed form: only gravity and damping act on them.</param>
     public Life(int seed, int operations, string[] rules, bool isFree = false)
     {
         _random = new Random(seed);
@@ -25,16 +25,16 @@ internal sealed class Life
             Tell();
     }
 
-    /// <summary>How many bodies ever come.</summary>
+    /// <summary>The number of bodies ever added.</summary>
     public int Bodies => _bodies;
 
-    /// <summary>Lives it through, with all bodies or with one of them, and says after each operation that all was well.</summary>
+    /// <summary>Runs it, with all bodies or with one of them, and checks after each operation.</summary>
     public LivedWorld Live(int? only = null, bool inSingleSteps = false, bool looks = true, Action<LivedWorld>? after = null)
     {
         LivedWorld world = new(inSingleSteps, looks);
         foreach ((int body, Action<LivedWorld> act) in _told)
         {
-            // who is not there is not pushed; who was never added is in nobody's world
+            // only present bodies are pushed, and only added ones are removed
             if (body >= 0 && only != null && body != only)
                 continue;
 

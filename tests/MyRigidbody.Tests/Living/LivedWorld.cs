@@ -1,6 +1,6 @@
 namespace RigidBodyDynamics.Tests;
 
-/// <summary>A simulation in which a <see cref="Life"/> is lived: some bodies of it, under their numbers.</summary>
+/// <summary>A simulation in which a <see cref="Life"/> runs: some of its bodies, by number.</summary>
 internal sealed class LivedWorld(bool inSingleSteps, bool looks)
 {
     private readonly Dictionary<int, Body> _bodies = [];
@@ -96,7 +96,7 @@ internal sealed class LivedWorld(bool inSingleSteps, bool looks)
             With(body, it => _ = (it.State, it.Between(alpha)));
     }
 
-    /// <summary>Saves all, or goes back to what was saved last, if anything was.</summary>
+    /// <summary>Saves all, or goes back to the last save, if there is one.</summary>
     public void SaveOrRestore(bool saves)
     {
         if (saves || _saved == null)

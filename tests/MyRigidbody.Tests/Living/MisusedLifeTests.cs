@@ -2,7 +2,7 @@ using NUnit.Framework;
 
 namespace RigidBodyDynamics.Tests;
 
-/// <summary>What must not be done to bodies that live: refused by name, and everybody stands where they stood.</summary>
+/// <summary>Forbidden operations on living bodies: refused by name, and no body has moved.</summary>
 public sealed class MisusedLifeTests
 {
     private static readonly Vector3d J = new(1, 2, 3), Huge = new(1e308, 0, 0);

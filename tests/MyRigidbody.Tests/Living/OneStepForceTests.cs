@@ -3,7 +3,7 @@ using static RigidBodyDynamics.Tests.Samples;
 
 namespace RigidBodyDynamics.Tests;
 
-/// <summary>A force that the program applies acts in the next step as an effect does that acts in that step alone.</summary>
+/// <summary>A force that the program applies acts in the next step like an effect that acts in that step alone.</summary>
 public sealed class OneStepForceTests
 {
     private const double H = 1 / 64.0;

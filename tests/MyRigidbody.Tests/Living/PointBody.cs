@@ -1,6 +1,6 @@
 namespace RigidBodyDynamics.Tests;
 
-/// <summary>A body of points of 0.3 kg each. What it has is summed over them, so that nothing is asked of the library's inertia.</summary>
+/// <summary>A body of points of 0.3 kg each. Its momenta are summed over them, independently of the library's inertia.</summary>
 public sealed record PointBody(string Name, Vector3d[] Points)
 {
     private const double Each = 0.3;

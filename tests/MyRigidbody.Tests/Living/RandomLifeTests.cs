@@ -2,7 +2,7 @@ using NUnit.Framework;
 
 namespace RigidBodyDynamics.Tests;
 
-/// <summary>Random sequences of all that can be done, against the same by other means.</summary>
+/// <summary>Random sequences of all operations, compared with the same by other means.</summary>
 public sealed class RandomLifeTests
 {
     private static IEnumerable<int> Seeds => Enumerable.Range(1, 10);
@@ -12,7 +12,7 @@ public sealed class RandomLifeTests
     {
         Life life = new(seed, 200, [.. Scenery.Integrators]);
         LivedWorld together = life.Live();
-        // alone and in single steps: neither neighbours nor the size of a call are felt, and below neither is who looks
+        // alone and in single steps: neither neighbours, the size of a call nor, below, reading changes a bit
         for (int i = 0; i < life.Bodies; i++)
         {
             LivedWorld alone = life.Live(only: i, inSingleSteps: true);
@@ -34,8 +34,8 @@ public sealed class RandomLifeTests
     }
 
     /// <summary>
-    /// The exact rule's step is kick, motion in closed form, kick. Here the motion is one <see cref="FreeMotion"/> from the state before the
-    /// step, and the kicks are computed with full matrices from the points of the body.
+    /// The exact integrator's step is push, free motion, push. Here the motion is one <see cref="FreeMotion"/> from the state before the
+    /// step, and the pushes are computed with full matrices from the points of the body.
     /// </summary>
     [TestCaseSource(nameof(Seeds))]
     public void Exact_bodies_go_as_closed_forms_and_matrices_say(int seed)

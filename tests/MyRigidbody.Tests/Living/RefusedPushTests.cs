@@ -2,7 +2,7 @@ using NUnit.Framework;
 
 namespace RigidBodyDynamics.Tests;
 
-/// <summary>What cannot be done to a body is refused by name and value, and leaves it as it was.</summary>
+/// <summary>Impossible operations on a body are refused by name and value, and leave it unchanged.</summary>
 public sealed class RefusedPushTests
 {
     private static readonly Vector3d Nan = new(0, double.NaN, 0), Infinite = new(0, 0, double.NegativeInfinity), Huge = new(1e308, 0, 0), J = new(1, 2, 3);

@@ -7,7 +7,7 @@ public sealed class SavedLifeTests
 {
     private static readonly Vector3d J = new(1, -2, 3), P = new(0.5, 0.25, -1);
 
-    /// <summary>What a body or the simulation can be in the middle of.</summary>
+    /// <summary>The situations of a body or of the simulation when it is saved.</summary>
     private static IEnumerable<TestCaseData> Middles =>
         from rule in Scenery.Integrators
         from middle in new (string Name, Action<Simulation, Body> Do)[]

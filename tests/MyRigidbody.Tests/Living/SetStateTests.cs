@@ -2,7 +2,7 @@ using NUnit.Framework;
 
 namespace RigidBodyDynamics.Tests;
 
-/// <summary>A state that is set holds from now on; time and effects go on.</summary>
+/// <summary>A state that is set is valid from now on; time and effects continue.</summary>
 public sealed class SetStateTests
 {
     private const double H = 1 / 64.0;

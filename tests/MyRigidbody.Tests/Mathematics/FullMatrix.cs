@@ -1,6 +1,6 @@
 namespace RigidBodyDynamics.Tests;
 
-/// <summary>3×3 matrices the long way, entry by entry, to hold the compact forms against.</summary>
+/// <summary>3×3 matrices entry by entry, to compare the compact forms with.</summary>
 internal static class FullMatrix
 {
     public static double[,] Of(SymmetricMatrix3 a) => new[,]

@@ -4,7 +4,7 @@ using NUnit.Framework;
 
 namespace RigidBodyDynamics.Tests;
 
-/// <summary>The yardstick itself, against digits from printed tables.</summary>
+/// <summary>The reference functions themselves, against digits from printed tables.</summary>
 public sealed class ManyDigitsTests
 {
     [Test]

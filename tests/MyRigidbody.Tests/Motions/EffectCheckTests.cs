@@ -2,7 +2,7 @@ using NUnit.Framework;
 
 namespace RigidBodyDynamics.Tests;
 
-/// <summary>An effect that is what it says has no findings; one that is not has the finding that says so, and no other.</summary>
+/// <summary>An effect that keeps its declaration has no findings; one that does not has exactly the finding for it.</summary>
 public sealed class EffectCheckTests
 {
     private const EffectTraits Moves = EffectTraits.Moves;

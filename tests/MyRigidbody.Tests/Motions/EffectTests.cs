@@ -3,7 +3,7 @@ using static RigidBodyDynamics.Tests.Samples;
 
 namespace RigidBodyDynamics.Tests;
 
-/// <summary>Force, keys, forces per step, sums: what they push with.</summary>
+/// <summary>Force, keys, forces per step, sums: their forces and torques.</summary>
 public sealed class EffectTests
 {
     private static readonly Vector3d[] Kicks = [new Vector3d(1, 0, -2), new Vector3d(0.5, 0.25, 0)];

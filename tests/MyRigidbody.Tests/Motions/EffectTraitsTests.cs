@@ -2,7 +2,7 @@ using NUnit.Framework;
 
 namespace RigidBodyDynamics.Tests;
 
-/// <summary>What a push says of itself is true: an integrator may leave out what is not declared.</summary>
+/// <summary>The traits of a push are true: an integrator may leave out what is not declared.</summary>
 public sealed class EffectTraitsTests
 {
     private static readonly EffectTraits[] Reads =

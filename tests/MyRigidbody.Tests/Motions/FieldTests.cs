@@ -4,7 +4,7 @@ using static RigidBodyDynamics.Tests.Samples;
 
 namespace RigidBodyDynamics.Tests;
 
-/// <summary>Pushes that depend on the state: drag, spring, heavy top. Those with an energy must be its slope.</summary>
+/// <summary>Pushes that depend on the state: drag, spring, heavy top. Those with an energy must be its gradient.</summary>
 public sealed class FieldTests
 {
     private static readonly Gen<BodyState> States =
@@ -86,13 +86,13 @@ public sealed class FieldTests
         HeavyTop top = new(new Vector3d(0, 0, 1), 3, new Vector3d(0, 0, 1));
         Assert.That(Pushes.At(top, Pushes.Now, BodyState.AtRest).BodyTorque.IsZero, Is.True);
         BodyState lying = BodyState.AtRest;
-        // its axis along world x: gravity turns it down, about +y
+        // its axis along world x: gravity rotates it down, about +y
         lying.Orientation = new Quaterniond(Math.Sqrt(0.5), 0, Math.Sqrt(0.5), 0);
         Vector3d torque = Pushes.At(top, Pushes.Now, lying).TorqueInWorld(lying.Orientation);
         Assert.That(Apart(torque, new Vector3d(0, 3, 0)), Is.LessThan(3e-15)); // measured 8.9e-16
     }
 
-    /// <summary>Moves and turns the body a little about its centre of mass, both ways, and compares −dE with the push.</summary>
+    /// <summary>Moves and rotates the body a little about its centre of mass, in both directions, and compares −dE with the push.</summary>
     private static double ErrorOfSlope(IPush push, BodyState state, Func<BodyState, double> energy)
     {
         const double little = 1e-5;

@@ -2,7 +2,7 @@ using NUnit.Framework;
 
 namespace RigidBodyDynamics.Tests;
 
-/// <summary>The two questions that every push answers fit together.</summary>
+/// <summary>The two methods of every push are consistent.</summary>
 public sealed class ImpulseTests
 {
     // nodes and weights of Gauss's rule of five points on (0, 1)

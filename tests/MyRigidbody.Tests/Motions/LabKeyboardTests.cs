@@ -2,7 +2,7 @@ using NUnit.Framework;
 
 namespace RigidBodyDynamics.Tests;
 
-/// <summary>Keys that a player holds are the keys that a scene file names.</summary>
+/// <summary>Held keys act like those that a scene file names.</summary>
 public sealed class LabKeyboardTests
 {
     private const double Step = 0.02;

@@ -1,6 +1,6 @@
 namespace RigidBodyDynamics.Tests;
 
-/// <summary>An effect that declares something else than it should.</summary>
+/// <summary>An effect whose declaration is false.</summary>
 internal readonly struct Declared(IPush push, EffectTraits traits) : IPush
 {
     public EffectTraits Traits => traits;
@@ -27,7 +27,7 @@ internal readonly struct Own(EffectTraits traits, Own.Field force, Own.Flow? flo
         impulse.Force += flow == null ? duration * force(now, body) : flow(now, duration, body);
 }
 
-/// <summary>Takes what is there for its own.</summary>
+/// <summary>Overwrites the wrench instead of adding to it.</summary>
 internal readonly struct Overwriting(bool at, bool over) : IPush
 {
     private static readonly Vector3d Push = new(0, 3, 0);
@@ -75,7 +75,7 @@ internal readonly struct HalfDeafDrag : IPush
     }
 }
 
-/// <summary>A torque that lets time pass where it should stand still.</summary>
+/// <summary>A torque that lets time pass while it is held.</summary>
 internal readonly struct Restless(Torque torque) : IPush
 {
     public EffectTraits Traits => torque.Traits;
@@ -87,7 +87,7 @@ internal readonly struct Restless(Torque torque) : IPush
         torque.Over(new Instant(now.Step, now.Time), duration, body, mass, ref impulse);
 }
 
-/// <summary>A force that grows with every question.</summary>
+/// <summary>A force that grows with every call.</summary>
 internal struct Growing : IPush
 {
     private int _asked;

@@ -54,7 +54,7 @@ public sealed class ThrustTests
     [TestCase("Exact6")]
     public void Integrator_keeps_its_order_under_a_thruster_beside_the_centre_of_mass(string rule)
     {
-        // along x at a point of the y axis: it turns the body ever faster about z, and drives it along an arc
+        // along x at a point of the y axis: its torque increases ω about z, and the body moves along an arc
         Force thrust = new(new Vector3d(Newton, 0, 0), at: Centre + new Vector3d(0, -0.5, 0), inBody: true);
         int declared = Rules.Named(rule).Order;
         double order = MeasuredOrder.Of(declared, steps => Run(rule, steps, thrust), Driven(0.5 * Newton / Moments.Z));

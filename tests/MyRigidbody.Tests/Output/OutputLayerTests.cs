@@ -5,7 +5,7 @@ using RigidBodyDynamics.Tests.Repository;
 
 namespace RigidBodyDynamics.Tests.Output;
 
-/// <summary>What names in a scene can do to the terminal on which a command answers: nothing.</summary>
+/// <summary>Names in a scene cannot control the terminal on which a command prints.</summary>
 public sealed partial class OutputLayerTests
 {
     private const string Scene = """

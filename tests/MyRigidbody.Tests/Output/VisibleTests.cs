@@ -5,7 +5,7 @@ using RigidBodyDynamics.Lab.Output;
 
 namespace RigidBodyDynamics.Tests.Output;
 
-/// <summary>Texts of others as a person may see them.</summary>
+/// <summary>Foreign texts made safe to print.</summary>
 public sealed class VisibleTests
 {
     [TestCase("\u001b[31mred", @"\u001b[31mred")]

@@ -6,8 +6,8 @@ using RigidBodyDynamics.Tests.Repository;
 namespace RigidBodyDynamics.Tests.Package;
 
 /// <summary>
-/// docs/unity-members.md lists every member of the engine that the packages touch, with the version that brought it and the one that made it obsolete. A new one is
-/// seen here: MYRIGIDBODY_WRITE=1 writes its row, and somebody has to look its versions up.
+/// docs/unity-members.md lists every member of the engine that the packages use, with the version that added it and the one that made it obsolete. A new one
+/// is found here: MYRIGIDBODY_WRITE=1 writes its row, and its versions must be looked up.
 /// </summary>
 public sealed partial class EngineMemberTests
 {

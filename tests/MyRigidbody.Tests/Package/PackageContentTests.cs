@@ -8,7 +8,7 @@ using RigidBodyDynamics.Tests.Repository;
 
 namespace RigidBodyDynamics.Tests.Package;
 
-/// <summary>What is in the package, what is not, and what keeps one from being written.</summary>
+/// <summary>The contents of the package, what it excludes, and what prevents writing one.</summary>
 public sealed partial class PackageContentTests
 {
     private const string Project = "UnityProject/Assets/MyRigidbody", Script = Project + "/Scripts/MyRigidbody.cs";

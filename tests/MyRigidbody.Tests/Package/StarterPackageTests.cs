@@ -7,7 +7,7 @@ using RigidBodyDynamics.Tests.Repository;
 
 namespace RigidBodyDynamics.Tests.Package;
 
-/// <summary>The package in which a student writes: it compiles, it gives nothing away, and it can stand beside the other one.</summary>
+/// <summary>The students' package: it compiles, it contains no solution, and it can be imported beside the other one.</summary>
 public sealed partial class StarterPackageTests
 {
     private const string Top = "Assets/MyRigidbodyStarter/";

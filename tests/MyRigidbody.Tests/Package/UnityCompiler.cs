@@ -51,14 +51,14 @@ internal sealed class UnityCompiler
     /// <summary>The names of the assemblies.</summary>
     public IEnumerable<string> Assemblies => _definitions.Keys;
 
-    /// <summary>Scripts that no asmdef takes, which would land in the student's own assembly.</summary>
+    /// <summary>Scripts outside every asmdef, which belong to the student's own assembly.</summary>
     public IEnumerable<string> Homeless => Scripts().Where(path => Owner(path) == null);
 
-    /// <summary>What the compiler has to say of an assembly: errors, and warnings too.</summary>
+    /// <summary>The compiler's errors and warnings for an assembly.</summary>
     public IEnumerable<string> Complaints(string assembly) =>
         Compile(assembly).Compilation.GetDiagnostics().Where(found => found.Severity >= DiagnosticSeverity.Warning).Select(found => found.ToString());
 
-    /// <summary>What it has to say of the scripts that no asmdef takes: the student's own assembly.</summary>
+    /// <summary>The compiler's errors and warnings for the student's own assembly.</summary>
     public IEnumerable<string> ComplaintsOfStudents() => Students().GetDiagnostics().Where(found => found.Severity >= DiagnosticSeverity.Warning).Select(found => found.ToString());
 
     /// <summary>The members of the engine and the editor that all of it names, as Type.Member; types alone where only they are named.</summary>

@@ -6,7 +6,7 @@ using RigidBodyDynamics.Tests.CommandLine;
 
 namespace RigidBodyDynamics.Tests.Report;
 
-/// <summary>What is drawn is what was computed.</summary>
+/// <summary>The page draws the computed numbers.</summary>
 public sealed class PageDataTests
 {
     [Test]
@@ -59,7 +59,7 @@ public sealed class PageDataTests
     {
         Parsed lab = Parsed.Compared("lab-box.json"), run = Parsed.Ran("x", 0.1, 5, "x");
 
-        // a box of vertices has other moments than a solid one, and looks the same
+        // a box of vertices has other moments than a solid one, and is drawn alike
         Assert.That(lab.Column(0, "edges"), Is.EqualTo(new[] { 1, 2, 3 }).Within(1e-4));
         Assert.That(run.Column(0, "edges"), Is.EqualTo(new[] { 1, 2, 3 }).Within(1e-4));
         Assert.That(new Track("needle", Heavy(1e-6), Heavy(1e-6)).Edges.X, Is.EqualTo(Math.Sqrt(6) * 0.02).Within(1e-6));

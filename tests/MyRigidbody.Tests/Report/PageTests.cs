@@ -6,7 +6,7 @@ using RigidBodyDynamics.Lab.Report;
 
 namespace RigidBodyDynamics.Tests.Report;
 
-/// <summary>What stands in a page, and that it does no harm.</summary>
+/// <summary>The contents of a page, and that it is safe.</summary>
 public sealed partial class PageTests
 {
     private const string Hostile = "</script><script>broken()</script><img src=x onerror='broken()'>\"' {{ page.file }} <!-- &lt; 刚体";

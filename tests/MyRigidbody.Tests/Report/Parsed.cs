@@ -39,10 +39,8 @@ internal sealed class Parsed
     /// <summary>What the scripts read.</summary>
     public JsonElement Data { get; }
 
-    /// <summary>A column of a body.</summary>
     public double[] Column(int body, string name) => Numbers(Data.GetProperty("bodies")[body].GetProperty(name));
 
-    /// <summary>The numbers of a list.</summary>
     public static double[] Numbers(JsonElement list) => [.. list.EnumerateArray().Select(number => number.GetDouble())];
 
     private static Parsed Comparison(SceneFile file)

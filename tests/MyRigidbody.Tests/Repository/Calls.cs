@@ -26,7 +26,7 @@ internal sealed class Calls
     public bool AreDirect(string from, string to) =>
         _called.GetValueOrDefault(from, []).Any(called => called == to || _made.GetValueOrDefault(called, []).Contains(to));
 
-    /// <summary>True if a member calls a delegate, and another is handed to somebody as one.</summary>
+    /// <summary>True if a member calls a delegate, and another one is passed as a delegate.</summary>
     public bool MayBeThroughDelegate(string from, string to) => _callDelegates.Contains(from) && _handedOver.Contains(to);
 
     private void Read(SyntaxNode root, SemanticModel model)
@@ -81,7 +81,7 @@ internal sealed class Calls
         _ => null,
     };
 
-    // what stands in a lambda or a local function belongs to the member around it
+    // code in a lambda or a local function belongs to the member around it
     private static ISymbol Outermost(ISymbol symbol)
     {
         while (symbol is IMethodSymbol { MethodKind: MethodKind.AnonymousFunction or MethodKind.LocalFunction })

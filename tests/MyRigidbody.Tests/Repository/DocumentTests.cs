@@ -5,7 +5,7 @@ using NUnit.Framework;
 
 namespace RigidBodyDynamics.Tests.Repository;
 
-/// <summary>Pages and manifests say the same as what they speak of.</summary>
+/// <summary>Pages and manifests agree with what they describe.</summary>
 public sealed partial class DocumentTests
 {
     private static readonly string[] Pages = Tree.Files(".", "*.md");

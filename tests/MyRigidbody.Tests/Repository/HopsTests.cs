@@ -45,7 +45,7 @@ public sealed partial class HopsTests
     [GeneratedRegex(@"([→⇢]?) *`([\w.]+)`")]
     private static partial Regex Hop();
 
-    /// <summary>A way: what goes it, how many hops the page counts, and the members that it passes.</summary>
+    /// <summary>A way: its value, the number of hops on the page, and the members that it passes.</summary>
     public sealed record Way(string Name, int Hops, (string Name, bool IsThroughDelegate)[] Members)
     {
         public override string ToString() => Name;

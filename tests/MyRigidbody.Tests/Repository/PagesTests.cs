@@ -4,7 +4,7 @@ using RigidBodyDynamics.Tests.CommandLine;
 
 namespace RigidBodyDynamics.Tests.Repository;
 
-/// <summary>What the pages in docs/ show is what the program reads, says and computes.</summary>
+/// <summary>The pages in docs/ show what the program reads, prints and computes.</summary>
 public sealed class PagesTests
 {
     [Test]

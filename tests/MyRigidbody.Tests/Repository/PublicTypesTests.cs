@@ -2,7 +2,7 @@ using NUnit.Framework;
 
 namespace RigidBodyDynamics.Tests.Repository;
 
-/// <summary>What is public is what a user needs, under names that he can say beside Unity's.</summary>
+/// <summary>The public types are those that a user needs, under names that do not collide with Unity's.</summary>
 public sealed class PublicTypesTests
 {
     private static readonly Type[] Public = typeof(Simulation).Assembly.GetExportedTypes();

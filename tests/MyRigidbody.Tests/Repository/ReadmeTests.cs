@@ -6,7 +6,7 @@ using RigidBodyDynamics.Lab.Languages;
 
 namespace RigidBodyDynamics.Tests.Repository;
 
-/// <summary>What the README says is what the program does.</summary>
+/// <summary>The README agrees with the program.</summary>
 public sealed class ReadmeTests
 {
     [Test]
@@ -29,7 +29,7 @@ public sealed class ReadmeTests
         Assert.That(rows, Is.EqualTo(expected));
     }
 
-    // the times beside them are another program's affair, tests/MyRigidbody.Figures: no test takes time
+    // the times beside them are checked by tests/MyRigidbody.Figures: no test measures time
     [TestCase("README.md")]
     [TestCase("README.zh.md")]
     public void Table_of_integrators_is_the_catalogue_and_its_errors_are_measured(string page)

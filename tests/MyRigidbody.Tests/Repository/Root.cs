@@ -5,7 +5,6 @@ namespace RigidBodyDynamics.Tests.Repository;
 /// <summary>The folder of the repository: the first above the test assembly, or else above this file, that holds the solution.</summary>
 internal static class Root
 {
-    /// <summary>Its path.</summary>
     public static string Path { get; } = Above(AppContext.BaseDirectory) ?? Above(ThisFile()) ?? throw new DirectoryNotFoundException("no MyRigidbody.sln");
 
     /// <summary>A file or folder in it.</summary>

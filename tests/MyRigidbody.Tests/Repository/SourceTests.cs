@@ -4,7 +4,7 @@ using NUnit.Framework;
 
 namespace RigidBodyDynamics.Tests.Repository;
 
-/// <summary>What the sources promise about themselves, and no compiler checks.</summary>
+/// <summary>Requirements of the sources that no compiler checks.</summary>
 public sealed partial class SourceTests
 {
     private static readonly string[] Core = [.. Tree.Files("MyRigidbody.Core", "*.cs").Where(path => !path.Contains("/Samples~/", StringComparison.Ordinal))];

@@ -6,7 +6,7 @@ using RigidBodyDynamics.Tests.CommandLine;
 
 namespace RigidBodyDynamics.Tests.Repository;
 
-/// <summary>What an instructor reads: the pages for teaching, and what the lab's page says of mistakes.</summary>
+/// <summary>The pages for instructors, and the lab page's numbers about mistakes.</summary>
 public sealed class TeachingPageTests
 {
     private const string English = "docs/teaching.md", Chinese = "docs/teaching.zh.md";

@@ -3,7 +3,7 @@ using NUnit.Framework;
 
 namespace RigidBodyDynamics.Tests.Repository;
 
-/// <summary>What the pages for students show of the code is in the code, at the line they name.</summary>
+/// <summary>The code on the pages for students is in the sources, at the line they name.</summary>
 public sealed partial class UnityPageTests
 {
     private const string Package = "UnityProject/Assets/MyRigidbody/", Scripts = Package + "Scripts/", Chinese = "docs/scripts.zh.md";

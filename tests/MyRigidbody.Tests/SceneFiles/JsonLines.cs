@@ -5,7 +5,7 @@ using System.Text.Json.Nodes;
 
 namespace RigidBodyDynamics.Tests.SceneFiles;
 
-/// <summary>A JSON Schema laid out as somebody would write it: the schema's own words follow each other, and every name that a file may have begins a line.</summary>
+/// <summary>A JSON Schema with a readable layout: the schema's own words follow each other, and every name that a file may have begins a line.</summary>
 internal sealed class JsonLines
 {
     private const int Width = 160;

@@ -5,8 +5,8 @@ using RigidBodyDynamics.Tests.CommandLine;
 namespace RigidBodyDynamics.Tests.SceneFiles;
 
 /// <summary>
-/// A rod of 1 kg and 1 m on a pin at its end, let go 10° from hanging. About the pin it has m l²/3, about its middle m l²/12: who takes the one for
-/// the other sees it swing in half the time.
+/// A rod of 1 kg and 1 m on a pin at its end, released 10° from hanging. About the pin it has m l²/3, about its middle m l²/12: with the
+/// wrong one its period is halved.
 /// </summary>
 public sealed class PivotTests
 {

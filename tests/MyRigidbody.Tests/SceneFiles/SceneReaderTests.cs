@@ -5,7 +5,7 @@ using RigidBodyDynamics.Tests.CommandLine;
 
 namespace RigidBodyDynamics.Tests.SceneFiles;
 
-/// <summary>What a scene file says is what the library gets.</summary>
+/// <summary>The library gets what a scene file says.</summary>
 public sealed class SceneReaderTests
 {
     [Test]

@@ -10,7 +10,7 @@ namespace RigidBodyDynamics.Tests.SceneFiles;
 /// <summary>The JSON Schema and the reader say the same.</summary>
 public sealed class SchemaTests
 {
-    // what a schema cannot say: it looks at one value at a time
+    // a schema tests one value at a time, and cannot express these
     private static readonly string[] OnlyTheReaderKnows =
     [
         "unique", "sum of the other two", "must be later than from", "is for ", "the locked ", "scaled to it",

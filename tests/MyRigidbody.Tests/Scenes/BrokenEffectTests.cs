@@ -2,7 +2,7 @@ using NUnit.Framework;
 
 namespace RigidBodyDynamics.Tests;
 
-/// <summary>An effect that fails in the middle of a run stops the step, says which it is, and leaves everything as it was.</summary>
+/// <summary>An effect that fails during a run stops the step, is named, and leaves everything as it was.</summary>
 public sealed class BrokenEffectTests
 {
     private const long Fails = 30;

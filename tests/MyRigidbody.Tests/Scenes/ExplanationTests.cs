@@ -2,7 +2,7 @@ using NUnit.Framework;
 
 namespace RigidBodyDynamics.Tests;
 
-/// <summary>What a plan says of a body is what the simulation does with it.</summary>
+/// <summary>The simulation does what a body's plan says.</summary>
 public sealed class ExplanationTests
 {
     [TestCase("Exact", 1, 2, 3, "free rotation of a body with three different moments (exact)")]

@@ -3,7 +3,7 @@ using NUnit.Framework;
 namespace RigidBodyDynamics.Tests;
 
 /// <summary>
-/// An effect that breaks in the first step in which it is asked is named, whoever looked before and wherever its time begins;
+/// An effect that fails in the first step in which it is evaluated is named, wherever states were read before and wherever its time begins;
 /// nothing loops, and nothing has moved.
 /// </summary>
 public sealed class FirstStepTests

@@ -2,7 +2,7 @@ using NUnit.Framework;
 
 namespace RigidBodyDynamics.Tests;
 
-/// <summary>A body whose axes are locked keeps still along and about them, and moves as the laws say along and about the others.</summary>
+/// <summary>A body with locked axes does not move along or about them, and obeys the laws along and about the others.</summary>
 public sealed class LocksTests
 {
     private const Locks Hinge = Locks.TurnX | Locks.TurnZ;
@@ -239,7 +239,7 @@ public sealed class LocksTests
         };
     }
 
-    /// <summary>How far a body with one locked axis is from the independent solution after a second, under a torque of the world and one of the body.</summary>
+    /// <summary>The difference of a body with one locked axis from the independent solution after a second, under a torque of the world and one of the body.</summary>
     private static double Miss(string rule, int steps)
     {
         Vector3d world = new(0.8, -1, 0.6), body = new(0.4, 0.3, 1.2), start = new(0, 0.6, -0.9);

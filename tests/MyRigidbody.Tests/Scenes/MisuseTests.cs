@@ -2,7 +2,7 @@ using NUnit.Framework;
 
 namespace RigidBodyDynamics.Tests;
 
-/// <summary>What must not be done with a simulation is found and named, and what is changed beside it does not reach it.</summary>
+/// <summary>Forbidden operations on a simulation are found and named, and changes of its description do not reach it.</summary>
 public sealed class MisuseTests
 {
     [TestCase("LabEuler")]

@@ -2,7 +2,7 @@ using NUnit.Framework;
 
 namespace RigidBodyDynamics.Tests;
 
-/// <summary>Saving and going on later changes no bit.</summary>
+/// <summary>Saving and continuing later changes no bit.</summary>
 public sealed class SavedSimulationTests
 {
     [TestCaseSource(typeof(Scenery), nameof(Scenery.Integrators))]

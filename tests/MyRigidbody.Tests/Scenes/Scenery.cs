@@ -1,6 +1,6 @@
 namespace RigidBodyDynamics.Tests;
 
-/// <summary>A body on which as much as possible acts, and the steps to run it in.</summary>
+/// <summary>A body with as many effects as possible, and the steps for it.</summary>
 internal static class Scenery
 {
     public const long Steps = 90;

@@ -3,8 +3,8 @@ using NUnit.Framework;
 namespace RigidBodyDynamics.Tests;
 
 /// <summary>
-/// A body whose numbers grow beyond double precision is named with the time, by every integrator, and no infinity or NaN is seen of it,
-/// whoever looks when.
+/// A body whose numbers exceed double precision is named with the time, by every integrator, and no state with an infinity or NaN can be read,
+/// at any time.
 /// </summary>
 public sealed class StateOverflowTests
 {
@@ -24,7 +24,7 @@ public sealed class StateOverflowTests
     private static IEnumerable<object[]> Cases =>
         from rule in Scenery.Integrators
         from act in Acts.Keys
-            // PhysX turns nothing faster than 7 rad/s
+            // PhysX limits ω to 7 rad/s
         where !(rule.StartsWith("Unity", StringComparison.Ordinal) && act.StartsWith("a torque", StringComparison.Ordinal))
         select new object[] { rule, act };
 
@@ -45,7 +45,7 @@ public sealed class StateOverflowTests
                 Assert.That(error.Message, Does.StartWith("body \"b\": ").And.Contains(" has diverged: no finite state at t = ").And.Contains(named));
                 found.Add((error.Step, error.Time));
 
-                // what was seen is finite; it is said again; and the others have not moved on
+                // the states read are finite; the exception comes again; and the others have not moved on
                 simulation.TryStep(100);
                 Assert.That(IsFiniteOrRefused(simulation.Bodies[0]));
                 sound.Step(simulation.StepsDone);

@@ -9,7 +9,7 @@ public sealed class WindowTests
     private static readonly Torque Swing =
         new(new Vector3d(0.1, 0, 0), new Vector3d(0, 0.2, 0), new Vector3d(0, 0, 0.3), 1.5, inBody: true);
 
-    // steps of the two windows below, for steps of 1/60 s and for steps of 5, 20 and 25 ms in turn
+    // steps of the two windows below, for steps of 1/60 s and for steps of 5, 20 and 25 ms one after another
     private static readonly object[] Cases =
     [
         new object[] { 0, 15, 45, 30, 60 },

@@ -5,7 +5,7 @@ using RigidBodyDynamics.Tests.CommandLine;
 
 namespace RigidBodyDynamics.Tests.StudentScripts;
 
-/// <summary>Scripts that reach for what they do not need, never end, or eat all there is: each is stopped, called by name, and gone.</summary>
+/// <summary>Scripts that use forbidden names, never end, or exhaust the memory: each is stopped, named, and leaves no trace.</summary>
 public sealed class HostileScriptTests
 {
     private static readonly string Left = Path.Combine(Path.GetTempPath(), "script-was-here");
@@ -136,7 +136,7 @@ public sealed class HostileScriptTests
         Assert.That(Runner.Run(Runner.With()).Verdict.Outcome, Is.EqualTo(Outcome.Right));
     }
 
-    // whatever is said of them, the one after them is judged as ever
+    // whatever their result, the next script is judged normally
     [TestCase(0)]
     [TestCase(1)]
     [TestCase(2)]

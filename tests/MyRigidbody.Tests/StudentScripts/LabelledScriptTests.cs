@@ -26,7 +26,7 @@ public sealed class LabelledScriptTests
             Assert.That(off, Is.EqualTo(label.GetProperty("steps").EnumerateArray().Select(step => step.GetInt32()).Where(step => step > 0)));
         }
 
-        // what is shown to who reads Chinese: the sentence, and beside it formulas that are in no language
+        // shown to Chinese readers: the sentence, and beside it formulas, which belong to no language
         IEnumerable<string> shown = verdict.Findings.SelectMany(finding => finding.Step <= Step.Damping ? [finding.Chinese, finding.Expected, finding.Found] : new[] { finding.Chinese });
         Assert.That(shown.SelectMany(EnglishSentences.In), Is.Empty);
     }

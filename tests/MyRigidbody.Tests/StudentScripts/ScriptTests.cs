@@ -5,7 +5,7 @@ using RigidBodyDynamics.StudentScripts;
 
 namespace RigidBodyDynamics.Tests.StudentScripts;
 
-/// <summary>What honest scripts do differently is no mistake.</summary>
+/// <summary>Legitimate variations of honest scripts are no mistakes.</summary>
 public sealed class ScriptTests
 {
     [TestCase("using TreeEditor;")]

@@ -11,7 +11,7 @@ using RigidBodyDynamics.Tests.Judging;
 namespace RigidBodyDynamics.Tests.StudentScripts;
 
 /// <summary>
-/// The program of the page's worker says of a script word for word what check says. It is run in Node; where it is not built
+/// The program of the page's worker gives word for word the verdict of check. It is run in Node; where it is not built
 /// (<c>dotnet run -c Release --project MyRigidbody.Web -- --out artifacts/site</c> builds it) these tests are skipped.
 /// </summary>
 [NonParallelizable]
@@ -92,7 +92,7 @@ public sealed class WorkerTests
         ScriptReport report = Runner.Run(files);
         using JsonDocument verdict = JsonDocument.Parse(CheckJson.Of(Script, report));
         JsonElement answer = Ask("judge", language, files);
-        // the page stops a loop by the clock, in whatever turn it is then, and the command line by the count of its turns
+        // the page stops a loop by the clock, in any of its iterations, and the command line by the count of iterations
         Func<string, string> text = report.Verdict.Findings.Any(finding => finding.Code == "endless-loop") ? WithoutLines : found => found;
         Assert.That(text(answer.GetProperty("lines").GetString()!), Is.EqualTo(text(Lines(report, language))));
         Assert.That(text(JsonSerializer.Serialize(answer.GetProperty("verdict"))), Is.EqualTo(text(JsonSerializer.Serialize(verdict.RootElement))));

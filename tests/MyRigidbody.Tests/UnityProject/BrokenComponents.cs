@@ -6,7 +6,7 @@ using static RigidBodyDynamics.Tests.UnityProject.Change;
 
 namespace RigidBodyDynamics.Tests.UnityProject;
 
-/// <summary>Objects that are not at one about who belongs to whom, and components whose scripts say otherwise.</summary>
+/// <summary>Objects with contradictory references, and components whose scripts say otherwise.</summary>
 internal static class BrokenComponents
 {
     private static readonly UnityFile Scene = UnityFile.Parse(LabScene, Text(LabScene));

@@ -4,7 +4,7 @@ using static RigidBodyDynamics.Tests.UnityProject.Change;
 
 namespace RigidBodyDynamics.Tests.UnityProject;
 
-/// <summary>Scenes and materials that Unity 2019.4 has not written.</summary>
+/// <summary>Scenes and materials that differ from what Unity 2019.4 writes.</summary>
 internal static partial class BrokenScenes
 {
     private const string Blue = Assets + "Materials/Blue.mat";

@@ -10,13 +10,11 @@ internal static class Change
     public const string Assets = "UnityProject/Assets/MyRigidbody/", LabScene = Assets + "Scenes/Lab.unity", SlabScene = Assets + "Scenes/TumblingSlab.unity";
     public const string Settings = "UnityProject/ProjectSettings/", Sources = Assets + "Scripts/";
 
-    /// <summary>The project as it is.</summary>
     public static ProjectFiles Real { get; } = ProjectFiles.Read(Root.Path);
 
     /// <summary>The text of one of its files.</summary>
     public static string Text(string path) => Real.Texts[path];
 
-    /// <summary>The GUID of one of its assets.</summary>
     public static string Guid(string asset) => Text(asset + ".meta").Split('\n')[1]["guid: ".Length..];
 
     /// <summary>A copy with another text in the place of the first one like it.</summary>
@@ -26,7 +24,7 @@ internal static class Change
         return at >= 0 ? Real.With(path, Text(path)[..at] + other + Text(path)[(at + old.Length)..]) : throw new ArgumentException($"{path} has no {old}", nameof(old));
     }
 
-    /// <summary>A test that this copy is found out, by a finding with some words in it.</summary>
+    /// <summary>A test that the checker reports this copy, by a finding with some words in it.</summary>
     public static TestCaseData Found(string what, ProjectFiles wrong, string words) =>
         new TestCaseData(wrong, words).SetName(what.Replace(' ', '_'));
 }

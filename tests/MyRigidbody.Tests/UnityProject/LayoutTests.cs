@@ -7,7 +7,7 @@ using YamlDotNet.RepresentationModel;
 
 namespace RigidBodyDynamics.Tests.UnityProject;
 
-/// <summary>What the checker knows of Unity's classes is what 2019.4.17f1 writes.</summary>
+/// <summary>The checker's list of Unity's classes agrees with what 2019.4.17f1 writes.</summary>
 public sealed partial class LayoutTests
 {
     private static readonly string[] Classes = File.ReadAllText(Root.File("tests/data/unity-layouts/2019.4.17f1.txt"))

@@ -3,7 +3,7 @@ using RigidBodyDynamics.UnityFiles.Checks;
 
 namespace RigidBodyDynamics.Tests.UnityProject;
 
-/// <summary>An editor would find nothing to complain about in the Unity project, as far as it can be known without one.</summary>
+/// <summary>An editor would report no error in the Unity project, as far as that can be tested without one.</summary>
 public sealed class ProjectTests
 {
     [Test]
@@ -16,7 +16,7 @@ public sealed class ProjectTests
             .With("UnityProject/Packages/packages-lock.json", "{}")),
         Is.Empty);
 
-    // each of these would be noticed by the editor only, or by nobody
+    // only the editor would find each of these, or nothing would
     [TestCaseSource(typeof(BrokenScenes), nameof(BrokenScenes.All))]
     [TestCaseSource(typeof(BrokenComponents), nameof(BrokenComponents.All))]
     [TestCaseSource(typeof(BrokenFiles), nameof(BrokenFiles.All))]

@@ -6,7 +6,7 @@ using YamlDotNet.RepresentationModel;
 
 namespace RigidBodyDynamics.Tests.UnityProject;
 
-/// <summary>What the bodies of the scenes are and how they start.</summary>
+/// <summary>The bodies of the scenes and their starts.</summary>
 public sealed partial class SceneMotionTests
 {
     private static readonly string[] Defaults = ["MyRigidbody", "DefaultRigidbody"];
@@ -53,7 +53,7 @@ public sealed partial class SceneMotionTests
                 bool together = a["Rigidbody"] == null == (b["Rigidbody"] == null);
                 double apart = together ? (a.Position - b.Position).Length : Math.Abs(a.Position.Z - b.Position.Z);
 
-                // half diagonals: however they turn
+                // half diagonals, which bound any orientation
                 Assert.That(apart, Is.GreaterThan((a.Scale.Length + b.Scale.Length) / 2), $"{a.Name}, {b.Name}");
             }
         }

@@ -7,7 +7,7 @@ using SkiaSharp;
 
 namespace RigidBodyDynamics.Tests.UnityProject;
 
-/// <summary>What a student sees when a scene opens.</summary>
+/// <summary>The picture that a student sees when a scene opens.</summary>
 public sealed class SceneViewTests
 {
     // Panel.cs: margin and width, for 720 pixels of height; larger windows have a larger panel, smaller ones the same
@@ -67,7 +67,7 @@ public sealed class SceneViewTests
         Assert.That(Outline.Overlap(square, beside), Is.False);
     }
 
-    // up is up, right is right, and z goes away from who looks; the upper edge is half the field of view away
+    // up is up, right is right, and z goes away from the camera; the upper edge is half the field of view away
     [TestCase(0, 0, 5, 640, 360)]
     [TestCase(0, 1, 1, 640, 0)]
     [TestCase(1, 0, 1, 1000, 360)]
@@ -93,7 +93,7 @@ public sealed class SceneViewTests
         Viewpoint view = new(Vector3.Zero, Quaternion.Identity, 60, 0.3f, Vector3.Zero);
         foreach (DrawnCube[] cubes in (DrawnCube[][])[[near, far], [far, near]])
         {
-            // a face that looks at the light has all its colour, one that is turned away half of it
+            // a face towards the light has all its colour, one turned away half of it
             using SKBitmap lit = Picture.Bodies(new DrawnScene(view, new MattShading(-Vector3.UnitZ, 0.5f, 1), cubes));
             using SKBitmap dark = Picture.Bodies(new DrawnScene(view, new MattShading(Vector3.UnitZ, 0.5f, 1), cubes));
 

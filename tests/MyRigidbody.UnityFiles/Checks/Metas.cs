@@ -3,13 +3,13 @@ using System.Text.RegularExpressions;
 
 namespace RigidBodyDynamics.UnityFiles.Checks;
 
-/// <summary>Every file and folder that Unity imports has a meta as 2019.4 writes it, with a GUID of its own that nobody made up.</summary>
+/// <summary>Every file and folder that Unity imports has a meta as 2019.4 writes it, with a random GUID of its own.</summary>
 internal static partial class Metas
 {
     // C(16, 7) (7/16)^32: one random GUID in 27 million has fewer than 8 different digits; Unity's built-in ones have two
     private const int FewestDigits = 8;
 
-    // one random GUID in 38 thousand counts on for seven digits, one in 80 thousand takes letters and numbers in turn for 20
+    // one random GUID in 38 thousand counts upwards for seven digits, one in 80 thousand alternates letters and numbers for 20
     private const int LongestCount = 7;
 
     /// <summary>What is wrong with the metas below some folders.</summary>

@@ -2,7 +2,7 @@ using YamlDotNet.RepresentationModel;
 
 namespace RigidBodyDynamics.UnityFiles.Checks;
 
-/// <summary>All that an editor would complain about in the Unity project, as far as it can be said without one.</summary>
+/// <summary>All errors that an editor would report in the Unity project, as far as they can be found without one.</summary>
 public static class ProjectChecker
 {
     private const string Settings = ProjectFiles.Project + "/ProjectSettings/", BuildSettings = Settings + "EditorBuildSettings.asset";
@@ -50,7 +50,7 @@ public static class ProjectChecker
             yield return $"{BuildSettings}: does not list {left}";
     }
 
-    // null where the file is not as it should be, which is another finding
+    // null where the file is invalid, which is another finding
     private static (string Path, string Guid)[]? Listed(string text)
     {
         try

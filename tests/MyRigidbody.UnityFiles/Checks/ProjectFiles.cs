@@ -15,7 +15,7 @@ public sealed class ProjectFiles
     /// <summary>A package that the project takes from the repository: the library.</summary>
     public const string Package = "MyRigidbody.Core";
 
-    /// <summary>Another one: what decides which of a student's steps is off.</summary>
+    /// <summary>Another one: the judge of students' scripts.</summary>
     public const string Judge = "MyRigidbody.Judge";
 
     private static readonly string[] Folders = [Assets, Project + "/Packages", Project + "/ProjectSettings", Package, Judge];
@@ -59,7 +59,6 @@ public sealed class ProjectFiles
         return imported;
     }
 
-    /// <summary>True for the metas.</summary>
     public static bool IsMeta(string path) => path.EndsWith(".meta", StringComparison.Ordinal);
 
     private static bool IsHidden(string name) =>

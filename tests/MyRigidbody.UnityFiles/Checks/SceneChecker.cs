@@ -4,7 +4,7 @@ using YamlDotNet.RepresentationModel;
 
 namespace RigidBodyDynamics.UnityFiles.Checks;
 
-/// <summary>What an editor would stumble over in a scene, material or settings file; every finding is a line that names file and object.</summary>
+/// <summary>Errors in a scene, material or settings file; every finding is a line that names file and object.</summary>
 internal sealed class SceneChecker(string path, Project project)
 {
     // occlusion culling, render, light map and navigation settings
@@ -73,7 +73,7 @@ internal sealed class SceneChecker(string path, Project project)
             yield return $"{path}: has {listeners} audio listeners; Unity wants one";
     }
 
-    /// <summary>What scripts on the same object ask of each other.</summary>
+    /// <summary>Requirements of scripts for other components of the same object.</summary>
     private IEnumerable<string> Together(UnityObject[] components)
     {
         Script[] scripts = [.. components.Select(ScriptOf).OfType<Script>()];

@@ -28,7 +28,6 @@ internal sealed class Canvas
             Triangle(Finer(corners[0]), Finer(corners[i - 1]), Finer(corners[i]), color);
     }
 
-    /// <summary>The picture.</summary>
     public SKBitmap Picture()
     {
         SKBitmap picture = new(_width / Fine, _height / Fine, SKColorType.Rgba8888, SKAlphaType.Opaque);

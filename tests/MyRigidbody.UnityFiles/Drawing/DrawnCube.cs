@@ -2,7 +2,7 @@ using System.Numerics;
 
 namespace RigidBodyDynamics.UnityFiles.Drawing;
 
-/// <summary>Unity's built-in cube, as large and as turned as its object is.</summary>
+/// <summary>Unity's built-in cube, with the size and orientation of its object.</summary>
 /// <param name="Name">The name of its object.</param>
 /// <param name="Parent">The name of the object that it is a part of; null if it is none.</param>
 /// <param name="World">From its own axes to those of the world.</param>

@@ -4,7 +4,7 @@ using YamlDotNet.RepresentationModel;
 
 namespace RigidBodyDynamics.UnityFiles.Drawing;
 
-/// <summary>What a camera sees of a scene: cubes and the background.</summary>
+/// <summary>The picture of a scene through its camera: cubes and the background.</summary>
 /// <param name="View">The main camera.</param>
 /// <param name="Shading">How the shader of the cubes' materials shows a surface; it knows no lights.</param>
 /// <param name="Cubes">In the order of the hierarchy.</param>
@@ -57,7 +57,7 @@ public sealed record DrawnScene(Viewpoint View, MattShading Shading, IReadOnlyLi
         return assets.Find(guid) ?? throw new FormatException($"no asset has the GUID {guid}");
     }
 
-    /// <summary>Who is a part of whom.</summary>
+    /// <summary>The parent of each object.</summary>
     private sealed class Graph(UnityFile file, IReadOnlyDictionary<string, Pose> poses)
     {
         private readonly Dictionary<long, UnityObject> _objects = file.Objects.ToDictionary(o => o.FileId);

@@ -3,7 +3,7 @@ using System.Numerics;
 
 namespace RigidBodyDynamics.UnityFiles.Drawing;
 
-/// <summary>Where an object is and how it is turned.</summary>
+/// <summary>The pose of an object.</summary>
 /// <param name="Position">Its position, m.</param>
 /// <param name="Rotation">Its orientation.</param>
 public sealed record Pose(Vector3 Position, Quaternion Rotation)

@@ -8,7 +8,6 @@ namespace RigidBodyDynamics.UnityFiles.Shading;
 /// <param name="Lightest">And on the side of the light.</param>
 public sealed record MattShading(Vector3 ToLight, float Darkest, float Lightest)
 {
-    /// <summary>The shading of a shader's text.</summary>
     public static MattShading Of(ShaderFile shader) => new(shader.Direction("ToLight"), shader.Constant("Darkest"), shader.Constant("Lightest"));
 
     /// <summary>What a colour is multiplied with, where a surface looks along its normal: half Lambert, squared.</summary>

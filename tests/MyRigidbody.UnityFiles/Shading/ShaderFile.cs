@@ -138,7 +138,6 @@ public sealed record ShaderPart(string Word, int Line, IReadOnlyList<string> Val
     /// <summary>The parts in it that begin with a word.</summary>
     public IEnumerable<ShaderPart> All(string word) => Parts.Where(part => part.Word == word);
 
-    /// <summary>Its tags.</summary>
     public IReadOnlyDictionary<string, string> Tags => All("Tags").SelectMany(tags => tags.Values.Chunk(3))
         .ToDictionary(tag => tag[0], tag => tag.Length == 3 && tag[1] == "=" ? tag[2] : throw new FormatException($"tag {tag[0]} has no value"));
 }

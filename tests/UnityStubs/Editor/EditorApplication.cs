@@ -7,16 +7,16 @@ namespace UnityEditor
     {
         public delegate void CallbackFunction();
 
-        /// <summary>What is called once, after the present event.</summary>
+        /// <summary>Called once, after the present event.</summary>
         public static CallbackFunction delayCall;
 
         public static event Action<PauseState> pauseStateChanged;
 
-        /// <summary>What the button does that pauses the game.</summary>
+        /// <summary>Called by the pause button.</summary>
         internal static void Pause(bool isPaused) => pauseStateChanged?.Invoke(isPaused ? PauseState.Paused : PauseState.Unpaused);
     }
 
-    /// <summary>Whether the game stands still.</summary>
+    /// <summary>True while the game is paused.</summary>
     public enum PauseState
     {
         Paused,

@@ -56,7 +56,7 @@ namespace UnityEditor
         }
     }
 
-    /// <summary>How urgent a message is.</summary>
+    /// <summary>The severity of a message.</summary>
     public enum MessageType
     {
         None,

@@ -8,7 +8,6 @@ namespace RigidBodyDynamics.Engine
     {
         private static readonly Dictionary<string, string> Typed = new Dictionary<string, string>();
 
-        /// <summary>Draws a window of the editor.</summary>
         public static void Draw(UnityEditor.EditorWindow window, System.Action onGui)
         {
             _drawn = new List<(string, string)>();
@@ -39,7 +38,6 @@ namespace RigidBodyDynamics.Engine
             return typed;
         }
 
-        /// <summary>Draws an inspector.</summary>
         public static void Draw(UnityEditor.Editor inspector)
         {
             _drawn = new List<(string, string)>();

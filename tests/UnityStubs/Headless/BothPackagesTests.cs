@@ -6,7 +6,7 @@ using UnityEngine;
 
 namespace RigidBodyDynamics.Scripts.Tests.Headless
 {
-    /// <summary>The full package and the starter in one project: each knows its own classes, and the panel knows both.</summary>
+    /// <summary>The full package and the starter in one project: each uses its own classes, and the panel shows both.</summary>
     public sealed class BothPackagesTests
     {
 #if !ENABLE_LEGACY_INPUT_MANAGER

@@ -5,7 +5,7 @@ using UnityEngine.TestTools;
 
 namespace RigidBodyDynamics.Scripts.Tests.Headless
 {
-    /// <summary>When ExactRotation leaves a body to the engine, and goes on where somebody has switched it off, put to sleep or stopped time.</summary>
+    /// <summary>When ExactRotation leaves a body to the engine, and its continuation after the body was disabled, asleep or the game paused.</summary>
     public sealed class ExactRotationLifeTests : ThrownSlab
     {
         [TestCase(RigidbodyConstraints.FreezeRotationX)]

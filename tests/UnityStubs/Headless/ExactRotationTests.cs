@@ -124,7 +124,7 @@ namespace RigidBodyDynamics.Scripts.Tests.Headless
             else
                 Body.transform.rotation = elsewhere;
 
-            // a transform is looked at in the engine's step alone
+            // a transform is read only in the engine's step
             Player.Frame(Dt);
             FreeMotion free = Free();
             Frames(500);

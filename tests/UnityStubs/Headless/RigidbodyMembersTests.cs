@@ -4,7 +4,7 @@ using UnityEngine;
 
 namespace RigidBodyDynamics.Scripts.Tests.Headless
 {
-    /// <summary>Scripts written for a Rigidbody find on MyRigidbody what they expect, and the same motion where both have one.</summary>
+    /// <summary>Scripts written for a Rigidbody find its members on MyRigidbody, and the same motion where both have one.</summary>
     public sealed class RigidbodyMembersTests
     {
         private static readonly ForceMode[] Modes = { ForceMode.Force, ForceMode.Acceleration, ForceMode.Impulse, ForceMode.VelocityChange };

@@ -43,7 +43,7 @@ namespace RigidBodyDynamics.Scripts.Tests.Headless
                 Player.Frame(Dt);
         }
 
-        // the body's motion if nothing but itself turns it from now on
+        // the free motion of the body from now on
         protected FreeMotion Free() => Free(Body.angularVelocity.Double());
 
         protected FreeMotion Free(Vector3 spin) => Free(spin.Double());

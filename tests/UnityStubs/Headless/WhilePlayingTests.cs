@@ -5,7 +5,7 @@ using UnityEngine;
 
 namespace RigidBodyDynamics.Scripts.Tests.Headless
 {
-    /// <summary>What students do while the game plays, and what a Unity user expects then.</summary>
+    /// <summary>Changes by students while the game plays, and what a Unity user expects then.</summary>
     public sealed class WhilePlayingTests
     {
         private Experiment _experiment;

@@ -6,7 +6,7 @@ using UnityEngine;
 
 namespace RigidBodyDynamics.Scripts.Tests.Headless
 {
-    /// <summary>What the recorder writes is what the command line reads.</summary>
+    /// <summary>The command line reads what the recorder writes.</summary>
     public sealed class RecordingCompareTests
     {
         [TearDown]
@@ -46,7 +46,7 @@ namespace RigidBodyDynamics.Scripts.Tests.Headless
             Assert.That(output, Does.Contain("step 51"));
         }
 
-        /// <summary>What the command line says of a recording.</summary>
+        /// <summary>The command line's output for a recording.</summary>
         internal static string Compare(string recording, out int exitCode)
         {
             ProcessStartInfo start = new ProcessStartInfo("dotnet") { RedirectStandardOutput = true, WorkingDirectory = World.Folder };

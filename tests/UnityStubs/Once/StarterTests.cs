@@ -13,7 +13,7 @@ using UnityEngine;
 
 namespace RigidBodyDynamics.Scripts.Tests.Headless
 {
-    /// <summary>The starter: both cubes of its scenes move as their scripts say, and its window says which step is off, and exports what is handed in.</summary>
+    /// <summary>The starter: both cubes of its scenes move as their scripts say, and its window says which step is wrong, and exports the submission.</summary>
     public sealed class StarterTests
     {
         private static readonly string Given = File.ReadAllText(SceneLoader.InProject("Assets/MyRigidbodyStarter/MyRigidbody.cs"));

@@ -9,7 +9,7 @@ using UnityEngine;
 
 namespace RigidBodyDynamics.Scripts.Tests.Headless
 {
-    /// <summary>A student's own script beside ours and Unity's: what it does, it does in the panel, in a recording and in a comparison.</summary>
+    /// <summary>A student's own script beside ours and Unity's: its motion is in the panel, in a recording and in a comparison.</summary>
     public sealed class StudentBodyTests
     {
         private const int TenSeconds = 500;

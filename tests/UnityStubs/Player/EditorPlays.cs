@@ -6,7 +6,7 @@ using UnityEngine;
 
 namespace RigidBodyDynamics.Engine
 {
-    /// <summary>What somebody does in the editor while the game plays.</summary>
+    /// <summary>Actions in the editor while the game plays.</summary>
     internal static class EditorPlays
     {
         private const BindingFlags Own = BindingFlags.Instance | BindingFlags.Public | BindingFlags.NonPublic | BindingFlags.DeclaredOnly;

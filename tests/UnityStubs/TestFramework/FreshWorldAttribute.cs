@@ -7,8 +7,8 @@ using NUnit.Framework.Interfaces;
 namespace RigidBodyDynamics.Engine
 {
     /// <summary>
-    /// Every test has a world of its own, in play mode but for those of the namespace Edit; and what is in the console at its end
-    /// must have been expected; and no two bodies have come so near that they would touch, but in a test of the category Touching.
+    /// Every test has a world of its own, in play mode but for those of the namespace Edit; every line in the console at its end
+    /// must have been expected; and no two bodies may have come so near that they would touch, except in a test of the category Touching.
     /// </summary>
     [AttributeUsage(AttributeTargets.Assembly)]
     internal sealed class FreshWorldAttribute : Attribute, ITestAction

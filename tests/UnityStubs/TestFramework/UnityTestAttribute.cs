@@ -15,7 +15,7 @@ namespace UnityEngine.TestTools
     {
         public TestMethod BuildFrom(IMethodInfo method, Test suite)
         {
-            // NUnit wants a result expected of what is not void; the command below never looks at it
+            // NUnit requires a result for a method that is not void; the command below does not read it
             TestCaseParameters parameters = new TestCaseParameters { ExpectedResult = null };
             return new NUnitTestCaseBuilder().BuildTestMethod(method, suite, parameters);
         }

@@ -20,7 +20,6 @@ internal static class GradeJson
         Converters = { new JsonStringEnumConverter(JsonNamingPolicy.CamelCase) },
     };
 
-    /// <summary>Of a class.</summary>
     public static string Of(Class all) => Visible.Json(JsonSerializer.Serialize(
         new
         {

@@ -8,14 +8,12 @@ namespace RigidBodyDynamics.Lab.Grading.Export;
 /// <summary>The marks as rows: one for each student, including those without a submission. A cell is a text or a number.</summary>
 internal static class MarksTable
 {
-    /// <summary>The headings.</summary>
     public static readonly IReadOnlyList<string> Headings =
     [
         "学号 id", "姓名 name", "分数 points", "1 速度 velocity", "2 角速度 angular velocity", "3 位置 position", "4 朝向 orientation", "5 阻尼 damping",
         "注释 commented", "语句 statements", "扣分 taken off", "结论 verdict", "待定 to settle", "说明 about", "文件 file",
     ];
 
-    /// <summary>The rows.</summary>
     public static IReadOnlyList<object[]> Rows(Class all) =>
     [
         .. all.Submissions.Where(one => one.Counts).Select(Row),

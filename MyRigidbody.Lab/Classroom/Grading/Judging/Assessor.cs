@@ -12,7 +12,6 @@ namespace RigidBodyDynamics.Lab.Grading.Judging;
 /// </summary>
 internal sealed class Assessor(IScriptJudge judge, Kept kept)
 {
-    /// <summary>The judgement of a submission.</summary>
     public Judgement Of(Submission submission)
     {
         if (submission.Problem != null && submission.Scripts.Count == 0)

@@ -120,7 +120,6 @@ internal sealed class ClassPage(Class all)
         public bool IsSettled => one.Decision != null;
     }
 
-    /// <summary>Questions of a kind.</summary>
     internal sealed record QuestionsPart(string Kind, IReadOnlyList<QuestionPart> All)
     {
         public bool IsOpen => Kind == "doubt" || All.Count <= MostOpen;

@@ -40,7 +40,6 @@ internal static class FileKinds
     public static bool IsArchive(string name) =>
         Archives.Any(ending => name.EndsWith(ending, StringComparison.OrdinalIgnoreCase)) || name.Contains(".unitypackage", StringComparison.OrdinalIgnoreCase);
 
-    /// <summary>What the bytes are.</summary>
     public static FileKind Of(ReadOnlySpan<byte> bytes)
     {
         if (bytes.StartsWith("PK\x03\x04"u8) || bytes.StartsWith("PK\x05\x06"u8))
