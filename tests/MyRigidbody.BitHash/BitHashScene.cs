@@ -61,7 +61,8 @@ namespace RigidBodyDynamics.BitHash
             }
         }
 
-        private static BodyDescription Everything(string name, string integrator, bool inDouble)
+        /// <summary>A body under every effect of the library.</summary>
+        public static BodyDescription Everything(string name, string integrator, bool inDouble)
         {
             MassProperties box = Solids.Box(2, new Vector3d(1, 2, 3));
             MassProperties arm = Solids.Capsule(0.5, 0.2, 1.5);

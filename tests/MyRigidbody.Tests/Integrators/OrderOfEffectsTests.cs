@@ -28,6 +28,22 @@ public sealed class OrderOfEffectsTests
         }
     }
 
+    [Test]
+    public void Order_is_measured_of_every_effect_of_the_library()
+    {
+        static BodyDescription With(OrderedEffect effect)
+        {
+            BodyDescription body = new("body", Solids.Sphere(1, 1));
+            effect.GiveTo(body, OrderedEffect.DecayStep, 0, 1);
+            return body;
+        }
+
+        IEnumerable<Type> lasting = typeof(IEffect).Assembly.GetExportedTypes()
+            .Where(type => type.IsValueType && (typeof(IPush).IsAssignableFrom(type) || typeof(ICoast).IsAssignableFrom(type)))
+            .Except([typeof(HeldKeys)]); // keys that are held move a body to the bits of KeyPush
+        Assert.That(Effects.Select(effect => With(effect).Effects[0].Motion.GetType()), Is.SupersetOf(lasting));
+    }
+
     // measured as above
     [TestCaseSource(nameof(Compositions))]
     public void Order_under_an_effect_in_a_window_is_the_declared_one(string integrator)

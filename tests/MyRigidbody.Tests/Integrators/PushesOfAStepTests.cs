@@ -28,6 +28,10 @@ public sealed class PushesOfAStepTests
         }
     }
 
+    [Test]
+    public void Page_has_every_rule_of_an_order_above_one() =>
+        Assert.That(Rows.Select(row => row[0]), Is.EquivalentTo(Rules.All.Where(rule => rule.Order > 1).Select(rule => rule.Name)));
+
     private readonly struct Counting(EffectTraits reads, int[] count) : IPush
     {
         public EffectTraits Traits => EffectTraits.Moves | EffectTraits.Turns | reads;

@@ -108,6 +108,13 @@ public sealed class EffectsPageTests
             .Select(trait => $"{trait}"["Reads".Length..].ToLowerInvariant()));
     }
 
+    [Test]
+    public void Page_of_scene_files_has_every_effect()
+    {
+        string[] rows = [.. File.ReadLines(Root.File("docs/scenes.md")).Where(line => line.StartsWith("| `\"", StringComparison.Ordinal))];
+        Assert.That(Names.Where(name => !rows.Any(row => row.Contains($"`\"{name}\":", StringComparison.Ordinal))), Is.Empty);
+    }
+
     private static BodyDescription Ball() => new BodyDescription("ball", Solids.Sphere(0.5, 0.1)).With(new Gravity(new Vector3d(0, -9.81, 0)));
 
     private static Vector3d At(string rule, double step)

@@ -7,11 +7,13 @@ public sealed class PublicTypesTests
 {
     private static readonly Type[] Public = typeof(Simulation).Assembly.GetExportedTypes();
 
+    // an effect more is one more for those scenes alone that ask for it
     [Test]
-    public void User_has_at_most_55_types_to_know()
+    public void User_has_at_most_42_types_to_know_besides_the_effects()
     {
-        TestContext.Out.WriteLine($"{Public.Length}: {string.Join(", ", Public.Select(type => type.Name).Order(StringComparer.Ordinal))}");
-        Assert.That(Public, Has.Length.LessThanOrEqualTo(55)); // measured 55
+        Type[] known = [.. Public.Where(type => !(type.IsValueType && typeof(IEffect).IsAssignableFrom(type)))];
+        TestContext.Out.WriteLine($"{known.Length} of {Public.Length}: {string.Join(", ", known.Select(type => type.Name).Order(StringComparer.Ordinal))}");
+        Assert.That(known, Has.Length.LessThanOrEqualTo(42)); // measured 42
     }
 
     [Test]
