@@ -6,12 +6,12 @@ using System.Runtime.InteropServices;
 
 namespace RigidBodyDynamics
 {
-    /// <summary>Holds descriptions for the same that differ in their starts and names alone, so that what they describe moves alike.</summary>
+    /// <summary>Compares descriptions without their starts and names: bodies of equal descriptions move alike.</summary>
     internal sealed class Alike : IEqualityComparer<BodyDescription>
     {
         /// <summary>
-        /// True if all that acts is the library's own. Of somebody else's push nobody knows whether it may be asked by several threads, so
-        /// only he who gives one description to several bodies says so; and what hands steer may differ from step to step.
+        /// True if all effects are the library's own. Another push may not be safe for calls from several threads, unless the program says so
+        /// by giving one description to several bodies; and a push that the program steers may differ from step to step.
         /// </summary>
         public static bool IsOrdinary(BodyDescription body) => body.Effects.All(effect => IsOurs(effect) && !(effect.Motion is IInput));
 
@@ -41,14 +41,14 @@ namespace RigidBodyDynamics
             a == b || (AreBits(a.Mass, b.Mass) && AreBits(a.PrincipalMoments, b.PrincipalMoments) && AreBits(a.PrincipalFrame, b.PrincipalFrame)
                 && AreBits(a.InversePrincipalMoments, b.InversePrincipalMoments) && AreBits(a.Inertia, b.Inertia) && AreBits(a.CenterOfMass, b.CenterOfMass));
 
-        /// <summary>Zeros of different signs are not the same: they show in what is computed with them.</summary>
+        /// <summary>Zeros of different signs differ: results computed from them do.</summary>
         private static bool AreBits<T>(T a, T b) where T : struct =>
             MemoryMarshal.AsBytes(MemoryMarshal.CreateReadOnlySpan(ref a, 1)).SequenceEqual(MemoryMarshal.AsBytes(MemoryMarshal.CreateReadOnlySpan(ref b, 1)));
     }
 
     internal sealed partial class BodyPlan
     {
-        /// <summary>The same plan of a body of another name.</summary>
+        /// <summary>The same plan for a body of another name.</summary>
         internal BodyPlan For(string name)
         {
             if (name == Asked.Name)

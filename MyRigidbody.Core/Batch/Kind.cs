@@ -4,12 +4,11 @@ using System;
 namespace RigidBodyDynamics
 {
     /// <summary>
-    /// What bodies have in common that are described alike, and those of them that are moved together: apart from one another where the
-    /// one's start lets something be left out and the other's does not.
+    /// Bodies of equal descriptions, and their batches: bodies are in one batch where the start of each lets the same be left out.
     /// </summary>
     internal sealed class Kind
     {
-        // fewer may as well be moved one by one, and a body that runs away is then found in the call in which it does
+        // fewer bodies are moved one by one, and a body that diverges is then found in the call in which it does
         private const int FewestOfMany = 64;
 
         private readonly Batch[] _batches = new Batch[(int)(Omissions.Rotation | Omissions.Translation) + 1];
@@ -25,13 +24,13 @@ namespace RigidBodyDynamics
             _isOrdinary = Alike.IsOrdinary(body);
         }
 
-        /// <summary>One of them at rest; nobody changes it.</summary>
+        /// <summary>The common description at rest; never changed.</summary>
         public BodyDescription Like { get; }
 
-        /// <summary>True while none of them is moved together with another.</summary>
+        /// <summary>True while its batches have no bodies.</summary>
         public bool HasNobody => Array.TrueForAll(_batches, batch => batch == null || batch.Count == 0);
 
-        /// <summary>True for a body that is moved together with others: it comes with the description of the last, or many have come before.</summary>
+        /// <summary>True for a body that is moved in a batch: it has the description of the last one, or many have been added before.</summary>
         public bool IsOneOfMany(BodyDescription description)
         {
             bool isAgain = description == _last;
@@ -39,9 +38,9 @@ namespace RigidBodyDynamics
             return isAgain || (_isOrdinary && ++_came > FewestOfMany);
         }
 
-        /// <summary>The bodies together with which one is moved that starts so now.</summary>
+        /// <summary>The batch for a body that starts now.</summary>
         /// <param name="start">How the body starts.</param>
-        /// <param name="clock">When it is now.</param>
+        /// <param name="clock">The clock of the simulation.</param>
         /// <param name="mayLeaveOut">What may be left out.</param>
         public Batch For(in BodyState start, Clock clock, Omissions mayLeaveOut)
         {

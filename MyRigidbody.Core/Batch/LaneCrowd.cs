@@ -171,7 +171,7 @@ namespace RigidBodyDynamics
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
         private static double Number(ref double first, int number) => Unsafe.Add(ref first, number * Lanes.Count);
 
-        /// <summary>The end of the last group in which all are bodies: of a place where nobody is the numbers are nobody's.</summary>
+        /// <summary>The end of the last group without an empty place, whose numbers are undefined.</summary>
         private static int Whole(int from, int to) => to - (to - from) % Lanes.Count;
 
         [MethodImpl(Kernel.Compiled)]
@@ -181,7 +181,7 @@ namespace RigidBodyDynamics
             for (int i = from; i < to; i += Lanes.Count)
             {
                 Group group = _now.From(i, i + Lanes.Count).At(0);
-                // by themselves, so that the processor need not wait for those of the last
+                // summed separately for each group, so that the processor need not wait for the sum of the last one
                 Lanes ofGroup = Lanes.Zero;
                 foreach (int column in _seen)
                     ofGroup += group[column] * group[column];
@@ -192,7 +192,7 @@ namespace RigidBodyDynamics
             return Guard.IsFinite(Vector.Sum(squares));
         }
 
-        /// <summary>Which columns a body fills when it is carried to be seen.</summary>
+        /// <summary>The columns that a body writes when its state is read.</summary>
         private int[] Seen()
         {
             double[] probe = new double[_now.Count];

@@ -9,7 +9,7 @@ namespace RigidBodyDynamics
     /// </summary>
     public sealed partial class Simulation
     {
-        // who goes on adding bodies that are all different shall not fill the memory with what they were
+        // so that adding bodies that are all different does not fill the memory with their descriptions
         private const int MostKinds = 1024;
 
         private readonly Dictionary<BodyDescription, Kind> _kinds = new Dictionary<BodyDescription, Kind>(new Alike());
@@ -35,7 +35,7 @@ namespace RigidBodyDynamics
 
         partial void Forget(Mover crowd)
         {
-            // room that nobody lives in is kept only by those who may come back
+            // a kind without bodies is kept only by removed bodies, which may be added again
             if (((Batch)crowd).Kind.HasNobody)
                 _kinds.Remove(((Batch)crowd).Kind.Like);
         }

@@ -2,10 +2,10 @@ using NUnit.Framework;
 
 namespace RigidBodyDynamics.Tests;
 
-/// <summary>Bodies that are described one by one and alike are moved together once they are many, and nobody notices but the clock.</summary>
+/// <summary>Bodies with separate but equal descriptions are moved together once they are many, to the same bits.</summary>
 public sealed class AlikeTests
 {
-    // so many come alone
+    // this many bodies are moved alone
     private const int First = 64;
 
     // sums of this length are exact, so that time may begin anywhere
@@ -193,7 +193,7 @@ public sealed class AlikeTests
 
     private static IEnumerable<string> Names => Described.Keys;
 
-    // made anew for each: who describes bodies one by one has no reason to share it
+    // created anew for each body, as by a program that describes bodies one by one
     private static MassProperties Tilted() => MassProperties.FromPrincipal(2, new Vector3d(3, 1, 2.5), new Quaterniond(0.9, 0.1, -0.3, 0.2), Vector3d.Zero);
 
     private readonly struct Foreign : IPush
