@@ -56,7 +56,7 @@ internal static class Ratios
         const double Most = 0.02, Part = 0.05;
         List<(string What, double Off)> off = [.. all.Select(m => (m.What, Off: Math.Abs(m.RatioToItself - 1))).OrderByDescending(m => m.Off)];
         int far = off.Count(m => m.Off > Most);
-        return FormattableString.Invariant($"measurements to themselves: {off.Count - far} of {off.Count} within 2 %, the worst, {off[0].What}, {100 * off[0].Off:0.0} % apart; ")
+        return FormattableString.Invariant($"measurements to themselves: {off.Count - far} of {off.Count} within 2 %, the worst {100 * off[0].Off:0.0} % apart, {off[0].What}; ")
             + (far <= Part * off.Count ? "the machine was quiet" : "THE RUN IS NOISY, its ratios mean nothing; close other programs and measure again");
     }
 
