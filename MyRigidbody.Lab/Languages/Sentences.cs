@@ -20,6 +20,8 @@ internal static partial class Sentences
     // followed by a value of the user's, which is not translated
     private const string Found = ", found ", InBody = ", in body ";
 
+    private const string InLine = "line ";
+
     private static readonly Lazy<Dictionary<string, string>> Fixed = new(() => Read().Where(pair => !Hole().IsMatch(pair.English)).ToDictionary(pair => pair.English, pair => pair.Chinese));
 
     // where two fit, the one with more letters of its own
@@ -73,7 +75,9 @@ internal static partial class Sentences
     {
         int colon = english.IndexOf(": ", StringComparison.Ordinal);
         string said = colon > 0 ? english[(colon + 2)..] : string.Empty, chinese = Line(said);
-        return chinese != said ? Place(english[..colon]) + ": " + chinese : null;
+        return chinese == said ? null
+            : english.StartsWith(InLine, StringComparison.Ordinal) ? Fitting(english[..colon], _ => true) + "：" + chinese
+            : Place(english[..colon]) + ": " + chinese;
     }
 
     // an argument of the library that is not a name
@@ -88,10 +92,13 @@ internal static partial class Sentences
     {
         public bool Says(string words) => English.Contains(words, StringComparison.Ordinal);
 
+        // a sentence that begins with a value has nothing before it: what stands before a colon is a place
+        private static string NoPlace(string english) => english.StartsWith("{0} ", StringComparison.Ordinal) && char.IsAsciiLetterLower(english[4]) ? "(?!\\S+ \\(line|[^ ]+: |line [0-9])" : string.Empty;
+
         public int Letters { get; } = Hole().Replace(English, string.Empty).Length;
 
         public Regex Pattern { get; } = new(
-            "^" + Hole().Replace(Regex.Escape(English).Replace(@"\{", "{", StringComparison.Ordinal), hole => $"(?<h{hole.Groups[1].Value}>.{(char.IsAsciiDigit(hole.Groups[1].Value[0]) ? '+' : '*')}?)") + "$",
+            "^" + NoPlace(English) + Hole().Replace(Regex.Escape(English).Replace(@"\{", "{", StringComparison.Ordinal), hole => $"(?<h{hole.Groups[1].Value}>.{(char.IsAsciiDigit(hole.Groups[1].Value[0]) ? '+' : '*')}?)") + "$",
             RegexOptions.CultureInvariant);
     }
 }

@@ -39,7 +39,7 @@ export function startCost(part) {
   // one line beside the button; it follows the language
   function say(name, ...parts) {
     line = [name, ...parts];
-    said.textContent = name ? word(...line) : '';
+    said.textContent = name ? word(name, ...parts.map(part => window.lab.inLanguage(String(part)))) : '';
   }
 
   function end() {

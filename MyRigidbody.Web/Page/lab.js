@@ -18,12 +18,22 @@ class Lab extends EventTarget {
 
   // one line for the reader, in place of a dialogue; nothing takes it away
   say(text) {
+    this.said = text;
     const line = document.getElementById('said');
-    line.textContent = text;
+    line.textContent = this.inLanguage(text);
     line.hidden = !text;
+  }
+
+  // a program that refuses something says why in English and, behind a separator, in Chinese
+  inLanguage(text) {
+    const [english, chinese] = (text ?? '').split('\u001e');
+    return report.language() === 'zh' ? chinese ?? english : english;
   }
 }
 
 window.lab = new Lab();
-report.on('language', () => lab.set({ lang: report.language() }));
+report.on('language', () => {
+  lab.set({ lang: report.language() });
+  lab.say(lab.said);
+});
 report.on('theme', () => lab.set({ theme: document.documentElement.dataset.theme }));

@@ -183,7 +183,7 @@ export async function startPlay() {
   listen();
   const { scene: named, sceneText: text } = lab.state;
   if (!await (text !== undefined ? open(named, text) : gallery.includes(named) && openNamed(named))) {
-    const refused = document.getElementById('said').textContent;
+    const refused = lab.said;
     await openNamed(gallery[0]);
     lab.say(refused);
   }

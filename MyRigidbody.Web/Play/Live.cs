@@ -99,7 +99,7 @@ internal static partial class Live
         return Encoding.UTF8.GetString(bytes.ToArray());
     });
 
-    // the page shows the message of any error
+    // the page shows the message of any error, in its own language
     private static T Said<T>(Func<T> make)
     {
         try
@@ -108,7 +108,7 @@ internal static partial class Live
         }
         catch (Exception refused) when (refused is InputException or ArgumentException or StateOverflowException or BrokenEffectException)
         {
-            throw new InvalidOperationException(refused.Message.ReplaceLineEndings(" "));
+            throw new InvalidOperationException(Refused.InBoth(refused.Message));
         }
     }
 }

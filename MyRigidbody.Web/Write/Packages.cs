@@ -5,6 +5,7 @@ using RigidBodyDynamics.Judging;
 using RigidBodyDynamics.Lab;
 using RigidBodyDynamics.Lab.Grading.Reading;
 using RigidBodyDynamics.Lab.Grading.Students;
+using RigidBodyDynamics.Lab.Languages;
 using RigidBodyDynamics.Lab.Package;
 using RigidBodyDynamics.StudentScripts;
 
@@ -50,7 +51,7 @@ internal static partial class Packages
         }
         catch (InputException refused)
         {
-            _whyNot = Refusal("not-packed", refused.Message, $"无法打包：{refused.Message}");
+            _whyNot = Refusal("not-packed", refused.Message, $"无法打包：{Sentences.InChinese(refused.Message)}");
             return [];
         }
     }

@@ -138,6 +138,9 @@ public sealed class PlayPageTests : LabPageFixture
 
         Assert.That(Browser.Becomes("!document.getElementById('said').hidden"), Is.True);
         Assert.That(Browser.Get<string>("document.getElementById('said').textContent"), Does.StartWith("mine.json: bodies[0].mass: must be").And.EndsWith("in body \"a\""));
+        Browser.Do("report.setLanguage('zh')");
+        Assert.That(Browser.Get<string>("document.getElementById('said').textContent"), Does.StartWith("mine.json: bodies[0].mass").And.Match(@"\p{IsCJKUnifiedIdeographs}").And.Not.Contain("must"));
+        Browser.Do("report.setLanguage('en')");
         double now = Browser.Get<double>("report.time()");
         Assert.That(Browser.Becomes($"report.time() > {now.ToString("R", CultureInfo.InvariantCulture)}"), Is.True);
     }

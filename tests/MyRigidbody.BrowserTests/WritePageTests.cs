@@ -100,7 +100,7 @@ public sealed partial class WritePageTests : LabPageFixture
         Assert.That(Shadow(".cm-lintRange-error"), Is.Not.Empty);
         Browser.Press(Keys.Home + Keys.ArrowUp + Keys.ArrowUp + Keys.F8);
 
-        Assert.That(Shadow(".here").Single(), Does.StartWith("第 49 行：").And.Contain("CS"));
+        Assert.That(Shadow(".here").Single(), Does.StartWith("第 49 行：").And.Contain("CS0029").And.Contain("类型"));
         Assert.That(Browser.Becomes("document.querySelector('.write .editor').shadowRoot.querySelector('.cm-diagnostic-error')"), Is.True, "shown at its place, too");
     }
 

@@ -27,7 +27,7 @@ internal static partial class Costs
         }
         catch (Exception refused) when (refused is InputException or BrokenEffectException)
         {
-            return new JsonObject { ["refused"] = refused.Message }.ToJsonString();
+            return new JsonObject { ["refused"] = Refused.InBoth(refused.Message) }.ToJsonString();
         }
     }
 

@@ -1,5 +1,6 @@
 using System.Globalization;
 using RigidBodyDynamics.Judging;
+using RigidBodyDynamics.Lab.Languages;
 
 namespace RigidBodyDynamics.Lab.Grading.Reading;
 
@@ -13,7 +14,10 @@ internal static class Problems
         "checksum", "The file is damaged at its end or inside: its checksum does not fit. What could be read was judged; please hand it in again.", "文件有损坏，校验值不符。已按能读出的内容评阅，请重新提交。");
 
     public static Finding Damaged(string reason) => Of(
-        "damaged", "The file cannot be read as what its name says: please hand it in again.", "文件无法按其扩展名读取，请重新提交。", reason.ReplaceLineEndings(" "));
+        "damaged",
+        $"The file cannot be read as what its name says ({reason.ReplaceLineEndings(" ").TrimEnd('.')}): please hand it in again.",
+        $"文件无法按其扩展名读取（{Sentences.InChinese(reason.ReplaceLineEndings(" "))}），请重新提交。",
+        reason.ReplaceLineEndings(" "));
 
     public static Finding Empty() => Of("empty", "The file is empty: please hand it in again.", "文件为空，请重新提交。");
 
