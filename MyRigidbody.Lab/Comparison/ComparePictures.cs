@@ -16,15 +16,15 @@ internal static class ComparePictures
         Plot plot = Pictures.New(title);
         double[] time = [.. course.Select(row => row.Apart.Time)];
         Scatter distance = plot.Add.ScatterLine(time, course.Select(row => row.Apart.Distance).ToArray(), Blue);
-        distance.LegendText = "distance (left)";
+        distance.LegendText = PictureWords.Say("distance (left)");
         Scatter angle = plot.Add.ScatterLine(time, course.Select(row => row.Apart.Angle * 180 / Math.PI).ToArray(), Orange);
-        angle.LegendText = "angle (right)";
+        angle.LegendText = PictureWords.Say("angle (right)");
         angle.LinePattern = LinePattern.Dashed;
         angle.Axes.YAxis = plot.Axes.Right;
         distance.LineWidth = angle.LineWidth = 2.5f;
-        plot.XLabel("time, s", 16);
-        plot.YLabel("distance, m", 16);
-        plot.Axes.Right.Label.Text = "angle, °";
+        plot.XLabel(PictureWords.Say("time, s"), 16);
+        plot.YLabel(PictureWords.Say("distance, m"), 16);
+        plot.Axes.Right.Label.Text = PictureWords.Say("angle, °");
         plot.Axes.Right.Label.FontSize = 16;
         plot.Axes.Left.Label.ForeColor = Blue;
         plot.Axes.Right.Label.ForeColor = Orange;
@@ -46,12 +46,12 @@ internal static class ComparePictures
         Add(plot, shares, share => share.Turn / found.Shares.Whole.MeanTurn, -0.2, Fill(Orange, new Striped()));
         plot.Axes.Left.SetTicks(
             [.. Enumerable.Range(0, shares.Count).Select(i => (double)(shares.Count - 1 - i))],
-            [.. shares.Select(share => share.Difference.Name)]);
+            [.. shares.Select(share => PictureWords.Say(share.Difference.Name))]);
         plot.Axes.Left.TickLabelStyle.FontSize = 16;
-        plot.XLabel("share, %", 16);
+        plot.XLabel(PictureWords.Say("share, %"), 16);
         plot.Axes.Margins(bottom: 0.08, top: 0.08, left: 0.12, right: 0.12);
-        plot.Legend.ManualItems.Add(Entry("of the distance", Fill(Blue, null)));
-        plot.Legend.ManualItems.Add(Entry("of the turn", Fill(Orange, new Striped())));
+        plot.Legend.ManualItems.Add(Entry(PictureWords.Say("of the distance"), Fill(Blue, null)));
+        plot.Legend.ManualItems.Add(Entry(PictureWords.Say("of the turn"), Fill(Orange, new Striped())));
         plot.ShowLegend(Edge.Bottom);
         return plot;
     }

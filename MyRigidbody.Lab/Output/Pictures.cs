@@ -11,14 +11,11 @@ internal static class Pictures
 
     private const int UsualHeight = 560;
 
-    // the first one installed is used
-    private static readonly string[] SansFonts =
-        ["DejaVu Sans", "Liberation Sans", "Noto Sans", "Open Sans", "Segoe UI", "Helvetica Neue", "Helvetica", "Arial", "Verdana"];
-
+    /// <summary>A plot with a title.</summary>
     public static Plot New(string title)
     {
-        title = Visible.Line(title);
-        Fonts.Default = SansFont();
+        title = Visible.Line(PictureWords.Say(title));
+        Fonts.Default = PictureWords.Font;
         Plot plot = new();
         plot.Font.Set(Fonts.Default);
         plot.Title(title, 20);
@@ -56,10 +53,6 @@ internal static class Pictures
             Terminal.Note("no font on this machine: pictures have lines but no text; install one (Debian: fonts-dejavu-core)");
         }
     }
-
-    /// <summary>A sans-serif font, because a system's default font may have serifs.</summary>
-    public static string SansFont() =>
-        SansFonts.FirstOrDefault(name => SKFontManager.Default.FontFamilies.Contains(name)) ?? Fonts.Default;
 
     private static bool Lacks(string font, string text)
     {

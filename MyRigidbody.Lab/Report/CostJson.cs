@@ -24,7 +24,7 @@ internal static class CostJson
         ["trials"] = List(found.Trials.Where(trial => double.IsFinite(trial.Error)).Select(trial =>
             (JsonNode)new JsonArray(Index(trial.Rule), Rounded(trial.Step), Rounded(trial.Error), Rounded(trial.Cost)))),
         ["others"] = List(found.Motion.IsSolved && found.Motion.Scene.Name == OtherEngine.Motion
-            ? OtherEngine.All.Select(engine => (JsonNode)new JsonArray(engine.Name, Rounded(engine.AngleError), Rounded(engine.Cost)))
+            ? OtherEngine.All.Select(engine => (JsonNode)new JsonArray(Both(Words.Said(engine.Name)), Rounded(engine.AngleError), Rounded(engine.Cost)))
             : []),
     };
 

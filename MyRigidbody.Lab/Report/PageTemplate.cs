@@ -51,6 +51,9 @@ internal sealed class PageTemplate(string name, IReadOnlyDictionary<string, Word
         });
         // the description of a scene is translated where the scene is one of ours
         options.Filters.AddFilter("said", (input, _, _) => new StringValue(InBoth(Words.Said(input.ToStringValue())), encode: false));
+        options.Filters.AddFilter("plain", (input, _, _) => new StringValue(((Word)input.ToObjectValue()).In(Language.IsChinese)));
+        // the reader of a page that was asked for in Chinese need not look for the button, not even where there is no JavaScript
+        options.Filters.AddFilter("language", (_, _, _) => new StringValue(Language.IsChinese ? "zh" : "en"));
         return options;
     }
 

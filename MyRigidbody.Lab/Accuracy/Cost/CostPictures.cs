@@ -64,7 +64,7 @@ internal static class CostPictures
     {
         HorizontalLine floor = plot.Add.HorizontalLine(Log(Math.Max(truth.Floor, truth.Uncertainty)), 1.5f, ScottPlot.Colors.Black);
         floor.LinePattern = LinePattern.Dashed;
-        floor.LegendText = "attainable in double";
+        floor.LegendText = PictureWords.Say("attainable in double");
     }
 
     /// <summary>Most points are close together, so a label may be apart from its point, connected by a line.</summary>
@@ -85,16 +85,17 @@ internal static class CostPictures
         // from the right, so that the lines do not cross
         foreach (OtherEngine engine in OtherEngine.All.OrderByDescending(engine => engine.Cost))
         {
-            Coordinates label = places.Next(At(engine), engine.Name);
+            string name = PictureWords.Say(engine.Name);
+            Coordinates label = places.Next(At(engine), name);
             plot.Add.Line(At(engine), label).Color = grey;
             plot.Add.Marker(At(engine), MarkerShape.Eks, 9, grey).MarkerLineWidth = 2;
-            Text text = plot.Add.Text(engine.Name, label);
+            Text text = plot.Add.Text(name, label);
             text.LabelFontSize = LabelPlaces.FontSize;
             text.LabelFontColor = grey;
             text.LabelAlignment = Alignment.MiddleLeft;
         }
 
-        plot.Legend.ManualItems.Add(new LegendItem { LabelText = "other engines, 1/50 s", MarkerShape = MarkerShape.Eks, MarkerColor = grey, MarkerSize = 9 });
+        plot.Legend.ManualItems.Add(new LegendItem { LabelText = PictureWords.Say("other engines, 1/50 s"), MarkerShape = MarkerShape.Eks, MarkerColor = grey, MarkerSize = 9 });
     }
 
     private static Coordinates At(OtherEngine engine) => new(Math.Log10(engine.Cost), Log(engine.AngleError));
@@ -113,8 +114,8 @@ internal static class CostPictures
         }
 
         plot.Axes.SetLimits(left - 0.2, right + 0.2, bottom - 0.5, top);
-        plot.XLabel("time for a simulated second of one body, s", 16);
-        plot.YLabel("largest error, rad or m", 16);
+        plot.XLabel(PictureWords.Say("time for a simulated second of one body, s"), 16);
+        plot.YLabel(PictureWords.Say("largest error, rad or m"), 16);
         plot.Axes.Bottom.TickGenerator = Powers(1, right);
         plot.Axes.Left.TickGenerator = Powers(2, largest);
         plot.Grid.MinorLineColor = ScottPlot.Colors.Black.WithAlpha(0.05);

@@ -55,8 +55,8 @@ internal static class MotionPictures
             line.LineWidth = 2.5f;
         }
 
-        plot.XLabel("time, s", 16);
-        plot.YLabel(label, 16);
+        plot.XLabel(PictureWords.Say("time, s"), 16);
+        plot.YLabel(PictureWords.Say(label), 16);
         plot.Axes.SetLimitsX(0, time[^1] > 0 ? time[^1] : 1);
         plot.Axes.SetLimitsY(0, Pictures.Top(largest));
         plot.ShowLegend(Edge.Bottom);

@@ -17,7 +17,7 @@ internal sealed class ReplayPicture
     private readonly Motion _motion;
     private readonly string _title;
     private readonly IReadOnlyList<Track> _tracks;
-    private readonly SKTypeface _face = SKTypeface.FromFamilyName(Pictures.SansFont());
+    private readonly SKTypeface _face = SKTypeface.FromFamilyName(PictureWords.Font);
     private readonly double _left, _bottom, _pixelsPerMetre, _mostSpin, _mostMomentum;
 
     private ReplayPicture(string title, Motion motion)
@@ -60,10 +60,10 @@ internal sealed class ReplayPicture
         canvas.Clear(SKColors.White);
         double time = _motion.Steps.StartOf(_motion.At[moment]);
         Text(canvas, _title, Margin, 28, 17, Ink);
-        string held = string.Join("  ", _motion.Held.Where(held => held.IsKey && held.From <= time && time < held.To).Select(held => held.Name));
+        string held = string.Join("  ", _motion.Held.Where(held => held.IsKey && held.From <= time && time < held.To).Select(held => PictureWords.Say(held.Name)));
         Text(canvas, time.ToString("0.00 s", CultureInfo.InvariantCulture) + (held.Length > 0 ? "   " + held : string.Empty), MapWidth + Margin, 28, 17, Ink);
         Text(canvas, "ω", Width - 7 * Margin, Height - Margin, 15, Stage.Spin);
-        Text(canvas, "L, dashed", Width - 6 * Margin + 4, Height - Margin, 15, Stage.Momentum);
+        Text(canvas, PictureWords.Say("L, dashed"), Width - 6 * Margin + 4, Height - Margin, 15, Stage.Momentum);
         Map(canvas, moment);
         int rows = (_tracks.Count + 1) / 2, columns = _tracks.Count > 1 ? 2 : 1;
         for (int i = 0; i < _tracks.Count; i++)

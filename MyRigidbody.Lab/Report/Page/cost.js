@@ -42,7 +42,7 @@
       });
       const others = motion().others.length === 0 ? [] : [{
         name: word('cost.others'), x: motion().others.map(other => other[2]), y: motion().others.map(other => other[1]), mode: 'markers',
-        marker: { symbol: 'asterisk-open', size: 9, color: colour('faint') }, text: motion().others.map(other => other[0]), hoverinfo: 'text',
+        marker: { symbol: 'asterisk-open', size: 9, color: colour('faint') }, text: motion().others.map(other => other[0][language()]), hoverinfo: 'text',
       }];
       const best = cheapest(motion().trials, wanted());
       const chosen = {
@@ -54,6 +54,39 @@
       return [...ofRules, ...others, chosen];
     }
 
+    // where others are named there is room above for their names
+    const logs = () => [3, 2].map((column, i) => [...motion().trials.map(trial => trial[column]), ...motion().others.map(other => other[2 - i])].map(value => Math.log10(Math.max(smallest, value))));
+    const room = () => motion().others.length === 0 ? 0 : plot.clientWidth < 700 ? 150 : 100;
+    // the legend takes what it needs, so how large the diagram itself is, the last drawing knows
+    const size = () => plot._fullLayout?._size ?? { w: plot.clientWidth - 82, h: 380 + room() };
+    const ranges = () => logs().map((values, i) => {
+      const [low, high] = [Math.min(...values) - 0.5, Math.max(...values) + 0.5];
+      return [low, high + (i === 0 ? 0 : (high - low) * room() / Math.max(100, size().h - room()))];
+    });
+    const within = i => motion().others.length === 0 ? {} : { range: ranges()[i], autorange: false };
+
+    // the others lie on a heap, so a name may stand apart from its point, at the end of a line: beside it, or else as little above as is free
+    function names() {
+      const { w: width, h: height } = size(), [across, up] = ranges();
+      const pixel = (x, y) => [(Math.log10(x) - across[0]) / (across[1] - across[0]) * width, (Math.log10(Math.max(smallest, y)) - up[0]) / (up[1] - up[0]) * height];
+      const taken = [...motion().trials.map(trial => pixel(trial[3], trial[2])), ...motion().others.map(other => pixel(other[2], other[1]))].map(([x, y]) => [x - 6, x + 6, y - 6, y + 6]);
+      // from the right, so that the lines do not cross
+      return [...motion().others].sort((a, b) => b[2] - a[2]).map(([name, error, cost]) => {
+        const text = name[language()], [x, y] = pixel(cost, error), long = [...text].reduce((sum, letter) => sum + (letter > '\u2e7f' ? 12 : 6.6), 4);
+        const left = x + 12 + long > width ? x - 12 - long : x + 12;
+        let middle = y;
+        while (taken.some(box => box[0] < left + long && left < box[1] && box[2] < middle + 8 && middle - 8 < box[3])) {
+          middle += 4;
+        }
+
+        taken.push([left, left + long, middle - 8, middle + 8]);
+        return {
+          text, x: Math.log10(cost), y: Math.log10(error), ax: left < x ? -12 : 12, ay: y - middle, xanchor: left < x ? 'right' : 'left', arrowhead: 0, arrowwidth: 1,
+          arrowcolor: colour('faint'), font: { size: 12, color: colour('faint') }, bgcolor: colour('back'), borderpad: 0,
+        };
+      });
+    }
+
     const line = (y, dash, width, editable) => ({
       type: 'line', xref: 'paper', x0: 0, x1: 1, y0: y, y1: y, editable, line: { color: colour('ink'), dash, width },
     });
@@ -62,20 +95,24 @@
       const attainable = Math.max(smallest, motion().attainable);
       const axis = { type: 'log', gridcolor: colour('line'), linecolor: colour('line'), color: colour('faint'), exponentformat: 'power', dtick: 1 };
       Plotly.react(plot, traces(), {
-        height: 520, margin: { l: 70, r: 12, t: 12, b: 50 },
+        height: 520 + room(), margin: { l: 70, r: 12, t: 12, b: 50 },
         paper_bgcolor: 'rgba(0,0,0,0)', plot_bgcolor: 'rgba(0,0,0,0)',
         font: { color: colour('ink'), family: 'system-ui, sans-serif', size: 13 }, hovermode: 'closest',
         legend: { orientation: 'h', y: -0.16 },
-        xaxis: { ...axis, title: { text: word('cost.time') } },
-        yaxis: { ...axis, dtick: 2, title: { text: word('cost.error') } },
+        xaxis: { ...axis, ...within(0), title: { text: word('cost.time') } },
+        yaxis: { ...axis, ...within(1), dtick: 2, title: { text: word('cost.error') } },
         shapes: [line(wanted(), 'solid', 3, true), line(attainable, 'dash', 1, false)],
         annotations: [{
           x: 1, y: Math.log10(attainable), xref: 'paper', xanchor: 'right', yanchor: 'bottom', showarrow: false, text: word('cost.attainable'),
-        }],
+        }, ...names()],
       }, { displayModeBar: false, responsive: true });
     }
 
     draw();
+    if (motion().others.length > 0) {
+      draw();
+    }
+
     slider.addEventListener('input', draw);
     // the line itself can be dragged; it stays as wide as the diagram
     plot.on('plotly_relayout', change => {
@@ -87,6 +124,7 @@
     });
     on('language', draw);
     on('theme', draw);
+    addEventListener('resize', () => motion().others.length > 0 && draw());
     return draw;
   }
 

@@ -14,7 +14,7 @@ internal static class SaidInSource
     private static readonly HashSet<string> Speakers =
     [
         "InputException", "FellShortException", "OmittedException", "Wrong", "Not", "Refused", "Refuse", "Finding", "Without",
-        "WriteText", "WriteLine", "Note", "Error", "TextTable", "WithProgress", "Command", "RootCommand", "MustHold", "OnlyIf",
+        "WriteText", "WriteLine", "Note", "Error", "TextTable", "WithProgress", "Command", "RootCommand", "MustHold", "OnlyIf", "Say",
     ];
 
     /// <summary>Every sentence, and the file in which it stands.</summary>
