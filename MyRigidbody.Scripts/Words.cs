@@ -113,8 +113,8 @@ internal static class Words
         $"类名是 {name}，与文件名 MyRigidbody.cs 不一致，Unity 无法挂载。");
 
     public static Finding TwoScripts(IEnumerable<string> others) => new Finding(Step.Package, "two-scripts", "one MyRigidbody.cs", string.Join(", ", others),
-        "There is more than one MyRigidbody; this one was judged.",
-        "有不止一个 MyRigidbody，检查的是这一个。").ForInstructor();
+        $"There is more than one MyRigidbody ({string.Join(", ", others)} too); this one was judged.",
+        $"有不止一个 MyRigidbody（另有 {string.Join("、", others)}），检查的是这一个。").ForInstructor();
 
     private static Finding Code(string code, string expected, string found, string english, string chinese) =>
         new(Step.Code, code, expected, found, english, chinese);

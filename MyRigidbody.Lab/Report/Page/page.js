@@ -92,7 +92,7 @@ window.report = (() => {
     document.querySelectorAll('.wide').forEach(watch);
   }
 
-  setLanguage((choice().get('lang') ?? navigator.language).startsWith('zh') ? 'zh' : 'en');
+  setLanguage((choice().get('lang') ?? (language() === 'zh' ? 'zh' : navigator.language)).startsWith('zh') ? 'zh' : 'en');
   setTheme(choice().get('theme') ?? (dark.matches ? 'dark' : 'light'));
   return report;
 })();

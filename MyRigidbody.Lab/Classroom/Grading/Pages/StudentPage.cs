@@ -1,5 +1,6 @@
 using System.Globalization;
 using RigidBodyDynamics.Judging;
+using RigidBodyDynamics.Lab.Checking;
 using RigidBodyDynamics.Lab.Grading.Marks;
 using RigidBodyDynamics.Lab.Languages;
 using RigidBodyDynamics.Lab.Output;
@@ -108,9 +109,12 @@ internal sealed class StudentPage
     {
         public Word What => new(Visible.Line(Finding.English, 2 * LongestText), Visible.Line(Finding.Chinese, 2 * LongestText));
 
-        public string Expected => Visible.Line(Finding.Expected ?? string.Empty, LongestText);
+        public string Expected => Measured(Finding.Expected);
 
-        public string Found => Visible.Line(Finding.Found ?? string.Empty, LongestText);
+        public string Found => Measured(Finding.Found);
+
+        // beside a sentence about code stand words of a programmer, in English alone
+        private string Measured(string? value) => CheckWords.IsMeasured(Finding) ? Visible.Line(value ?? string.Empty, LongestText) : string.Empty;
 
         public int? Line => Finding.Line;
 

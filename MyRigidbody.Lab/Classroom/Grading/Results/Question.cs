@@ -2,6 +2,7 @@ using System.Text.Encodings.Web;
 using System.Text.Json;
 using System.Text.Unicode;
 using RigidBodyDynamics.Judging;
+using RigidBodyDynamics.Lab.Checking;
 using RigidBodyDynamics.Lab.Grading.Judging;
 using RigidBodyDynamics.Lab.Grading.Marks;
 using RigidBodyDynamics.Lab.Grading.Students;
@@ -46,15 +47,18 @@ internal sealed record Question(string Kind, Graded About, Word What, string Exp
             IReadOnlyList<Answer> answers = one.Judgement.Candidates.Count > 0
                 ? [.. one.Judgement.Candidates.Select(candidate => new Answer(GradeWords.All["answer.use"].With(candidate.File!, Marks(candidate)), Line(one, "use", candidate.File!)))]
                 : [.. new[] { "right", "wrong" }.Select(value => new Answer(GradeWords.All["answer." + value], Line(one, MarksFile.NameOf(doubts.Key), value)))];
-            yield return new Question("doubt", one, new Word(first.English, first.Chinese), first.Expected, first.Found, answers);
+            yield return new Question("doubt", one, new Word(first.English, first.Chinese), Measured(first, first.Expected), Measured(first, first.Found), answers);
         }
     }
 
     private static IEnumerable<Question> NotRun(Graded one) =>
         HasNotRun(one)
             ? one.Marked.IsSet ? [] : one.Judgement.Verdict.Findings.Take(1).Select(finding => new Question(
-                "run", one, new Word(finding.English, finding.Chinese), finding.Expected, finding.Found, [new Answer(GradeWords.All["answer.points"], Line(one, "points", 0))]))
+                "run", one, new Word(finding.English, finding.Chinese), Measured(finding, finding.Expected), Measured(finding, finding.Found), [new Answer(GradeWords.All["answer.points"], Line(one, "points", 0))]))
             : [];
+
+    // beside a sentence about code stand words of a programmer, in English alone
+    private static string Measured(Finding finding, string value) => CheckWords.IsMeasured(finding) ? value : string.Empty;
 
     private static bool HasNotRun(Graded one) =>
         one.Judgement.Verdict.Outcome == Outcome.Refused || Verdict.FiveSteps.All(step => one.Judgement.Verdict[step] == Mark.Unknown);
