@@ -13,6 +13,8 @@ public sealed class CompareTests
         "rules.svg", "summary.json", "trajectory.csv",
     ];
 
+    private static readonly string[] Compared = Search.In<string>(["heavy-top.json", "lab-box.json", "tumbling-slab.json", "fall-with-drag.json"], 4);
+
     [Test]
     public void Without_a_command_the_labs_scene_is_compared_into_out()
     {
@@ -54,14 +56,11 @@ public sealed class CompareTests
 
         foreach (string name in Written)
         {
-            Assert.That(File.ReadAllBytes(folder.File("b/" + name)), Is.EqualTo(File.ReadAllBytes(folder.File("a/" + name))), name);
+            Assert.That(File.ReadAllBytes(folder.File("b/" + name)).AsSpan().SequenceEqual(File.ReadAllBytes(folder.File("a/" + name))), Is.True, name);
         }
     }
 
-    [TestCase("lab-box.json")]
-    [TestCase("tumbling-slab.json")]
-    [TestCase("fall-with-drag.json")]
-    [TestCase("heavy-top.json")]
+    [TestCaseSource(nameof(Compared))]
     public void Every_scene_of_the_gallery_can_be_compared(string scene)
     {
         using TemporaryFolder folder = new();

@@ -5,6 +5,8 @@ namespace RigidBodyDynamics.Tests.CommandLine;
 
 public sealed class ExplainTests
 {
+    private static readonly object[][] Crowds = Search.In<object[]>([[13, 3], [10, 0]], 2);
+
     [Test]
     public void Explanation_tells_parts_windows_and_what_is_saved()
     {
@@ -37,8 +39,7 @@ public sealed class ExplainTests
         Assert.That(body.GetProperty("leftOut")[0].GetProperty("nanosecondsWithIt").GetDouble(), Is.GreaterThan(0));
     }
 
-    [TestCase(10, 0)]
-    [TestCase(13, 3)]
+    [TestCaseSource(nameof(Crowds))]
     public void Of_many_bodies_that_move_differently_the_first_are_measured(int different, int notMeasured)
     {
         using TemporaryFolder folder = new();

@@ -13,15 +13,16 @@ public sealed partial class OutputLayerTests
           { "name": "=1+1\u001b]0;x\u0007\nerror: forged \u202e", "integrator": "LabEuler" }, { "name": "b\u009b31m\r\u2028c", "integrator": "LabEuler" } ] }
         """;
 
+    // what takes times, and with that seconds
+    private static readonly object[][] Measuring = Search.In<object[]>(
+        [["choose", new[] { "--error", "1e-300" }], ["choose", new[] { "--error", "1" }], ["cost", new[] { "--quick" }], ["choose", new[] { "--error", "1", "--json" }]], 2);
+
     [TestCase("explain")]
     [TestCase("explain", "--json")]
     [TestCase("compare")]
     [TestCase("run")]
     [TestCase("run", "--every", "0", "--report", "page.html")]
-    [TestCase("choose", "--error", "1")]
-    [TestCase("choose", "--error", "1", "--json")]
-    [TestCase("choose", "--error", "1e-300")]
-    [TestCase("cost", "--quick")]
+    [TestCaseSource(nameof(Measuring))]
     public void Names_send_nothing_to_the_terminal_and_forge_no_line(string command, params string[] options)
     {
         using TemporaryFolder folder = new();

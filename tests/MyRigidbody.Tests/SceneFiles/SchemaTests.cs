@@ -97,27 +97,25 @@ public sealed class SchemaTests
     public void Any_value_put_anywhere_is_judged_alike_by_both()
     {
         int accepted = 0, refused = 0;
-        foreach (string path in Leaves(SceneText.Tree()))
+        foreach ((string path, JsonNode? value) in Search.In(Leaves(SceneText.Tree()).SelectMany(path => Values.Select(value => (path, value))), 10))
         {
-            foreach (JsonNode? value in Values)
+            JsonNode scene = SceneText.Tree();
+            At(scene, path).ReplaceWith(value?.DeepClone());
+            string text = scene.ToJsonString(), error = SceneText.Error(text);
+            bool isValid = Schema.Validate(text).Count == 0;
+            if (!OnlyTheReaderKnows.Any(error.Contains))
             {
-                JsonNode scene = SceneText.Tree();
-                At(scene, path).ReplaceWith(value?.DeepClone());
-                string text = scene.ToJsonString(), error = SceneText.Error(text);
-                bool isValid = Schema.Validate(text).Count == 0;
-                if (!OnlyTheReaderKnows.Any(error.Contains))
-                {
-                    Assert.That(error.Length == 0, Is.EqualTo(isValid), $"{path} = {value?.ToJsonString() ?? "null"}: {error}");
-                }
-
-                accepted += error.Length == 0 ? 1 : 0;
-                refused += error.Length > 0 ? 1 : 0;
+                Assert.That(error.Length == 0, Is.EqualTo(isValid), $"{path} = {value?.ToJsonString() ?? "null"}: {error}");
             }
+
+            accepted += error.Length == 0 ? 1 : 0;
+            refused += error.Length > 0 ? 1 : 0;
         }
 
-        // both sides of the border were visited; measured 500 and 2398
-        Assert.That(accepted, Is.GreaterThan(100));
-        Assert.That(refused, Is.GreaterThan(500));
+        // both sides of the border were visited; measured 500 and 2398 of all
+        TestContext.Out.WriteLine($"{accepted} accepted, {refused} refused");
+        Assert.That(accepted, Is.GreaterThan(Search.Count(100, 20)));
+        Assert.That(refused, Is.GreaterThan(Search.Count(500, 100)));
     }
 
     [Test]
