@@ -7,11 +7,7 @@ namespace RigidBodyDynamics.StudentScripts;
 /// <param name="Kind">Its kind in the compiler.</param>
 /// <param name="Text">As written.</param>
 /// <param name="Line">Its line, from 1.</param>
-public readonly record struct Token(string Kind, string Text, int Line)
-{
-    /// <summary>True for a name, which a copy usually changes first.</summary>
-    public bool IsName => Kind == nameof(SyntaxKind.IdentifierToken);
-}
+public readonly record struct Token(string Kind, string Text, int Line);
 
 /// <summary>A source text as the compiler's lexer sees it: comments, blanks and code behind #if are left out.</summary>
 public static class Tokens

@@ -38,10 +38,10 @@ namespace RigidBodyDynamics
             new BodyDescription("tried", mass) { Start = around }.Check();
             Guard.Positive(Guard.Finite(to, nameof(to)) - Guard.Finite(from, nameof(from)), "to - from");
             around.Orientation = around.Orientation.Normalized;
-            return new Trial<TPush>(push, mass, around, from, to).Findings();
+            return new Probe<TPush>(push, mass, around, from, to).Findings();
         }
 
-        private sealed class Trial<TPush> where TPush : struct, IPush
+        private sealed class Probe<TPush> where TPush : struct, IPush
         {
             private const int Trials = 16;
             // a duration, s; and, as parts of the largest push, the limit of a rounding and of an error
@@ -55,7 +55,7 @@ namespace RigidBodyDynamics
             private double _force, _torque;
             private ulong _seed = 1;
 
-            public Trial(TPush push, MassProperties mass, in BodyState around, double from, double to)
+            public Probe(TPush push, MassProperties mass, in BodyState around, double from, double to)
             {
                 _push = push;
                 _mass = mass;

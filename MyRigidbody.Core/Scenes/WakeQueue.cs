@@ -14,12 +14,6 @@ namespace RigidBodyDynamics
         /// <summary>The step in which the next one wakes.</summary>
         public long Next => _count > 0 ? _heap[0].At : long.MaxValue;
 
-        public void Clear()
-        {
-            while (_count > 0)
-                Remove(_heap[_count - 1].Body);
-        }
-
         public void Add(long at, Body body)
         {
             if (_count == _heap.Length)

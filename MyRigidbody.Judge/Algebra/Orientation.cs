@@ -54,10 +54,6 @@ namespace RigidBodyDynamics.Judging
             return angle < 1e-12 ? new Orientation(0.5 * rotation, 1) : new Orientation((Math.Sin(angle / 2) / angle) * rotation, Math.Cos(angle / 2));
         }
 
-        /// <summary>Unity's Euler angles in radians: about z, then x, then y, all fixed axes.</summary>
-        public static Orientation Euler(Vector angles) =>
-            Turn(new Vector(0, angles.Y, 0)) * Turn(new Vector(angles.X, 0, 0)) * Turn(new Vector(0, 0, angles.Z));
-
         /// <summary>The angle between two orientations of any length, in radians.</summary>
         public static double Angle(Orientation p, Orientation q)
         {

@@ -16,7 +16,7 @@ internal sealed class RecordingComparison
     private readonly (string Name, string Unit, int First, int Count)[] _judged;
     private readonly double[] _farthest;
     private readonly List<Compared> _course = [];
-    private string? _parts;
+    private string? _difference;
 
     // a script's velocities are only differences of its poses
     private RecordingComparison(Recording recording)
@@ -113,14 +113,14 @@ internal sealed class RecordingComparison
                 // equal numbers have equal bits, except for the sign of zero, which recordings do not keep
                 if ((float)ours[i] != theirs[i])
                 {
-                    _parts ??= string.Create(CultureInfo.InvariantCulture, $"step {row}, {Recording.Columns[i]}: {(float)ours[i]:R} here, {theirs[i]:R} recorded");
+                    _difference ??= string.Create(CultureInfo.InvariantCulture, $"step {row}, {Recording.Columns[i]}: {(float)ours[i]:R} here, {theirs[i]:R} recorded");
                 }
             }
         }
 
         if (simulation.Bodies[0].IsAsleep != recording.IsAsleep(row))
         {
-            _parts ??= string.Create(CultureInfo.InvariantCulture, $"step {row}: {(recording.IsAsleep(row) ? "awake here, asleep" : "asleep here, awake")} in the recording");
+            _difference ??= string.Create(CultureInfo.InvariantCulture, $"step {row}: {(recording.IsAsleep(row) ? "awake here, asleep" : "asleep here, awake")} in the recording");
         }
     }
 
@@ -138,9 +138,9 @@ internal sealed class RecordingComparison
         Terminal.WriteText($"Written to {folder}: trajectory.csv, summary.json, pictures (.png, .svg), replay.png, which moves, and {Reports.FileName}, to open in the browser");
     }
 
-    private Word Lead(SceneDescription scene) => _parts == null
+    private Word Lead(SceneDescription scene) => _difference == null
         ? Words.All["recording.same"].With(scene.Bodies[0].Rule.Name, scene.Steps.Count)
-        : Words.All["recording.parts"].With(scene.Bodies[0].Rule.Name, Words.Said(_parts));
+        : Words.All["recording.parts"].With(scene.Bodies[0].Rule.Name, Words.Said(_difference));
 
     private Word Verdict(double tolerance) => (Farthest <= tolerance ? Words.All["recording.within"] : Words.All["recording.beyond"]).With(
         Farthest.ToString("G3", CultureInfo.InvariantCulture), tolerance.ToString("G3", CultureInfo.InvariantCulture));
@@ -154,8 +154,8 @@ internal sealed class RecordingComparison
         {
             recording = scene.Name,
             steps = scene.Steps.Count,
-            bitForBit = _parts == null,
-            firstParts = _parts,
+            bitForBit = _difference == null,
+            firstParts = _difference,
             largestDifference = _judged.Select((part, i) => (part.Name, Value: _farthest[i])).ToDictionary(part => part.Name, part => part.Value),
         }) + "\n";
 }

@@ -51,13 +51,7 @@ internal sealed class MeterRewriter(SemanticModel model) : CSharpSyntaxRewriter
     public override SyntaxNode? VisitFinallyClause(FinallyClauseSyntax node) =>
         ((FinallyClauseSyntax)base.VisitFinallyClause(node)!) is var n ? n.WithBlock((BlockSyntax)Ticking(n.Block, node.Block)) : null;
 
-    public override SyntaxNode? VisitMethodDeclaration(MethodDeclarationSyntax node)
-    {
-        MethodDeclarationSyntax n = (MethodDeclarationSyntax)base.VisitMethodDeclaration(node)!;
-        return n.Body != null ? n.WithBody((BlockSyntax)Ticking(n.Body, node.Body!))
-            : n.ExpressionBody is { } arrow ? n.WithExpressionBody(null).WithSemicolonToken(default).WithBody(Body(arrow, node, IsVoid(node)))
-            : n;
-    }
+    public override SyntaxNode? VisitMethodDeclaration(MethodDeclarationSyntax node) => Ticking(base.VisitMethodDeclaration(node)!, node, IsVoid(node));
 
     public override SyntaxNode? VisitLocalFunctionStatement(LocalFunctionStatementSyntax node)
     {
@@ -67,29 +61,11 @@ internal sealed class MeterRewriter(SemanticModel model) : CSharpSyntaxRewriter
             : n;
     }
 
-    public override SyntaxNode? VisitConstructorDeclaration(ConstructorDeclarationSyntax node)
-    {
-        ConstructorDeclarationSyntax n = (ConstructorDeclarationSyntax)base.VisitConstructorDeclaration(node)!;
-        return n.Body != null ? n.WithBody((BlockSyntax)Ticking(n.Body, node.Body!))
-            : n.ExpressionBody is { } arrow ? n.WithExpressionBody(null).WithSemicolonToken(default).WithBody(Body(arrow, node, isVoid: true))
-            : n;
-    }
+    public override SyntaxNode? VisitConstructorDeclaration(ConstructorDeclarationSyntax node) => Ticking(base.VisitConstructorDeclaration(node)!, node, isVoid: true);
 
-    public override SyntaxNode? VisitOperatorDeclaration(OperatorDeclarationSyntax node)
-    {
-        OperatorDeclarationSyntax n = (OperatorDeclarationSyntax)base.VisitOperatorDeclaration(node)!;
-        return n.Body != null ? n.WithBody((BlockSyntax)Ticking(n.Body, node.Body!))
-            : n.ExpressionBody is { } arrow ? n.WithExpressionBody(null).WithSemicolonToken(default).WithBody(Body(arrow, node, isVoid: false))
-            : n;
-    }
+    public override SyntaxNode? VisitOperatorDeclaration(OperatorDeclarationSyntax node) => Ticking(base.VisitOperatorDeclaration(node)!, node, isVoid: false);
 
-    public override SyntaxNode? VisitConversionOperatorDeclaration(ConversionOperatorDeclarationSyntax node)
-    {
-        ConversionOperatorDeclarationSyntax n = (ConversionOperatorDeclarationSyntax)base.VisitConversionOperatorDeclaration(node)!;
-        return n.Body != null ? n.WithBody((BlockSyntax)Ticking(n.Body, node.Body!))
-            : n.ExpressionBody is { } arrow ? n.WithExpressionBody(null).WithSemicolonToken(default).WithBody(Body(arrow, node, isVoid: false))
-            : n;
-    }
+    public override SyntaxNode? VisitConversionOperatorDeclaration(ConversionOperatorDeclarationSyntax node) => Ticking(base.VisitConversionOperatorDeclaration(node)!, node, isVoid: false);
 
     public override SyntaxNode? VisitAccessorDeclaration(AccessorDeclarationSyntax node)
     {
@@ -125,6 +101,14 @@ internal sealed class MeterRewriter(SemanticModel model) : CSharpSyntaxRewriter
 
     public override SyntaxNode? VisitAnonymousMethodExpression(AnonymousMethodExpressionSyntax node) =>
         ((AnonymousMethodExpressionSyntax)base.VisitAnonymousMethodExpression(node)!) is var n ? n.WithBlock((BlockSyntax)Ticking(n.Block, node.Block)) : null;
+
+    private static BaseMethodDeclarationSyntax Ticking(SyntaxNode visited, BaseMethodDeclarationSyntax original, bool isVoid)
+    {
+        BaseMethodDeclarationSyntax n = (BaseMethodDeclarationSyntax)visited;
+        return n.Body != null ? n.WithBody((BlockSyntax)Ticking(n.Body, original.Body!))
+            : n.ExpressionBody is { } arrow ? n.WithExpressionBody(null).WithSemicolonToken(default).WithBody(Body(arrow, original, isVoid))
+            : n;
+    }
 
     // a body that is one statement, or none, becomes a block on the same lines
     private static StatementSyntax Ticking(StatementSyntax body, StatementSyntax original) => body is BlockSyntax block

@@ -42,24 +42,24 @@ internal static class Tables
 
     private static string[] Integrator(Rule rule, Measured measured)
     {
-        Trial inGame = Trials(Free, measured).Single(trial => trial.Rule == rule.Name && trial.Step == 0.02);
-        IEnumerable<string> costs = Bounds.Select(bound => Trials(Lab, measured).Where(trial => trial.Rule == rule.Name && trial.Error < bound)
-            .Select(trial => trial.Cost).DefaultIfEmpty(double.NaN).Min()).Select(Time);
+        CostRow inGame = RowsOf(Free, measured).Single(row => row.Rule == rule.Name && row.Step == 0.02);
+        IEnumerable<string> costs = Bounds.Select(bound => RowsOf(Lab, measured).Where(row => row.Rule == rule.Name && row.Error < bound)
+            .Select(row => row.Cost).DefaultIfEmpty(double.NaN).Min()).Select(Time);
         return ["`" + rule.Name + "`", rule.Order.ToString(CultureInfo.InvariantCulture), Error(inGame.Error), Time(inGame.Nanoseconds), .. costs];
     }
 
     /// <summary>The cheapest integrator for every error, and the ratio of RungeKutta4's cost to its cost.</summary>
     private static string[] Motion(string name, Measured measured)
     {
-        List<Trial> trials = [.. Trials(name, measured)];
+        List<CostRow> rows = [.. RowsOf(name, measured)];
         return ["`" + name + "`", .. Bounds.Select(Cell)];
 
         string Cell(double bound)
         {
-            Trial[] below = [.. trials.Where(trial => trial.Error < bound)];
+            CostRow[] below = [.. rows.Where(row => row.Error < bound)];
             // of costs that the clock cannot separate, the first of the catalogue
-            Trial best = below.First(trial => trial.Cost <= SameCost * below.Min(one => one.Cost));
-            double other = below.Where(trial => trial.Rule == "RungeKutta4").Select(trial => trial.Cost).DefaultIfEmpty(double.NaN).Min();
+            CostRow best = below.First(row => row.Cost <= SameCost * below.Min(one => one.Cost));
+            double other = below.Where(row => row.Rule == "RungeKutta4").Select(row => row.Cost).DefaultIfEmpty(double.NaN).Min();
             return string.Create(CultureInfo.InvariantCulture, $"`{best.Rule}` {best.Step:G2} s: {Time(best.Cost)} ({Time(other / best.Cost)})");
         }
     }
@@ -72,7 +72,7 @@ internal static class Tables
     }
 
     /// <summary>µs per simulated second, of every integrator and step.</summary>
-    private static IEnumerable<Trial> Trials(string scene, Measured measured) => measured.Cost.Where(line => line["scene"] == scene).Select(line => new Trial(
+    private static IEnumerable<CostRow> RowsOf(string scene, Measured measured) => measured.Cost.Where(line => line["scene"] == scene).Select(line => new CostRow(
         line["integrator"], Number(line["step"]), Math.Max(Number(line["angleError"]), Number(line["positionError"])),
         Number(line["nanosecondsPerStep"]), 1e6 * Number(line["secondsPerSimulatedSecond"])));
 
@@ -92,5 +92,5 @@ internal static class Tables
         return (Math.Round(time / unit) * unit).ToString(unit >= 1 ? "N0" : unit >= 0.1 ? "0.0" : unit >= 0.01 ? "0.00" : "0.000", CultureInfo.InvariantCulture);
     }
 
-    private sealed record Trial(string Rule, double Step, double Error, double Nanoseconds, double Cost);
+    private sealed record CostRow(string Rule, double Step, double Error, double Nanoseconds, double Cost);
 }

@@ -66,7 +66,7 @@ internal static class Program
         }
 
         Action<IEnumerable<Outcome>> save = wish.IsWhole ? ledger.Add : _ => { };
-        Outcome[] outcomes = new Trial(core, new Plan(coverage, marks), scratch, testFolder, wish.WithoutGolden, save).Of(mutants);
+        Outcome[] outcomes = new Jury(core, new Plan(coverage, marks), scratch, testFolder, wish.WithoutGolden, save).Of(mutants);
         save(outcomes);
         return outcomes;
     }

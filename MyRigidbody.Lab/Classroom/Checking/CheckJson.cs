@@ -11,7 +11,8 @@ namespace RigidBodyDynamics.Lab.Checking;
 /// <summary>One submission of the format <c>rigid-body-grade/1</c>.</summary>
 internal static class CheckJson
 {
-    private static readonly JsonSerializerOptions Options = new()
+    /// <summary>How the format is written: letters of all languages as they are; characters special in HTML are escaped, because the text may be put into a page.</summary>
+    public static readonly JsonSerializerOptions Options = new()
     {
         WriteIndented = true,
         NewLine = "\n",
@@ -34,14 +35,15 @@ internal static class CheckJson
                 verdict = report.Verdict.Outcome,
                 steps = Verdict.FiveSteps.ToDictionary(step => JsonNamingPolicy.CamelCase.ConvertName(step.ToString()), step => report.Verdict[step]),
                 given = report.Verdict.GivenChanged ? "changed" : "right",
-                findings = report.Verdict.Findings.Select(Finding),
+                findings = report.Verdict.Findings.Select(Of),
                 comments = new { report.Comments.Statements, report.Comments.Commented },
                 alike = Array.Empty<object>(),
             },
             Options);
     }
 
-    private static object Finding(Finding finding) => new
+    /// <summary>A finding.</summary>
+    public static object Of(Finding finding) => new
     {
         finding.Step,
         finding.Code,

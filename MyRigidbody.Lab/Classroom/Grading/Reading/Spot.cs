@@ -10,9 +10,6 @@ internal sealed record Spot(string Shown, IReadOnlyList<string> Names)
     /// <summary>The name of the file or folder itself.</summary>
     public string Name => Names[^1];
 
-    /// <summary>The number of archives around it.</summary>
-    public int Depth => Shown.Count(letter => letter == '!');
-
     /// <summary>A file or folder in this folder.</summary>
     public Spot InFolder(string name) => new(Shown.Length == 0 ? name : $"{Shown}/{name}", [.. Names, name]);
 

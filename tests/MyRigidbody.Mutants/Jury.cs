@@ -3,7 +3,7 @@ using System.Diagnostics;
 namespace RigidBodyDynamics.Mutants;
 
 /// <summary>Judges mutants, two at a time.</summary>
-internal sealed class Trial(CoreCompilation core, Plan plan, string scratch, string testFolder, bool withoutGolden, Action<IEnumerable<Outcome>> save)
+internal sealed class Jury(CoreCompilation core, Plan plan, string scratch, string testFolder, bool withoutGolden, Action<IEnumerable<Outcome>> save)
 {
     private const int Workers = 2;
     private const int SecondsBetweenLines = 15;
