@@ -17,9 +17,7 @@ internal static class Program
     private static int Main(string[] args)
     {
         if (ScriptRunner.WasChild(args, out int exitCode))
-        {
             return exitCode;
-        }
 
         Console.OutputEncoding = new UTF8Encoding(encoderShouldEmitUTF8Identifier: false);
         StandardOutput.Use();
@@ -50,16 +48,12 @@ internal static class Program
         root.SetAction(_ => CompareCommand.Execute(Gallery.Lab, CompareCommand.DefaultFolder, CompareCommand.DefaultTolerance));
         // in a narrow terminal the library's layout of the help throws
         foreach (HelpAction help in root.Options.Select(option => option.Action).OfType<HelpAction>())
-        {
             help.MaxWidth = Math.Max(help.MaxWidth, NarrowestHelp);
-        }
 
         // an argument that begins with @ is a file name
         ParseResult parsed = root.Parse(args, new ParserConfiguration { ResponseFileTokenReplacer = null });
         if (parsed.Errors.Count > 0)
-        {
             return Refuse(OneLine(parsed.Errors.Select(error => Language.Say(OneLine([error.Message])))) + " Try --help.");
-        }
 
         try
         {
@@ -104,9 +98,7 @@ internal static class Program
         configuration.Output = help;
         int code = parsed.Invoke(configuration);
         foreach (string line in help.ToString().TrimEnd().Split('\n'))
-        {
             Terminal.WriteLine(line.TrimEnd());
-        }
 
         return code;
     }

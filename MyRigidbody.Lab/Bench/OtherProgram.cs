@@ -21,9 +21,7 @@ internal sealed record OtherProgram(string Output, string Problem)
             StandardErrorEncoding = Encoding.UTF8,
         };
         foreach ((string name, string value) in environment)
-        {
             start.Environment[name] = value;
-        }
 
         string called = Path.GetFileNameWithoutExtension(program);
         try

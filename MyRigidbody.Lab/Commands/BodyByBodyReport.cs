@@ -25,18 +25,14 @@ internal static class BodyByBodyReport
         Terminal.WriteLine();
         Terminal.Write(table);
         foreach ((BodyDescription body, Advice own) in scene.Bodies.Zip(found.Own).Where(pair => !pair.Second.Reached))
-        {
             Terminal.WriteText(FormattableString.Invariant($"{body.Name}: no integrator and step keep the error below {error:R}: {own.Reason}"));
-        }
 
         string[] sums = [.. Sums(forAll, found)];
         if (sums.Length > 0)
         {
             Terminal.WriteText("All bodies together, µs per s:");
             foreach (string sum in sums)
-            {
                 Terminal.WriteText("  " + sum);
-            }
         }
     }
 
@@ -77,14 +73,10 @@ internal static class BodyByBodyReport
     {
         double oneRule = forAll.Reached ? BodyByBody.CostOf(found.OneRule) : double.NaN;
         if (forAll.Reached)
-        {
             yield return $"{Number(oneRule)} by {forAll.Best.Rule.Name} in steps of {CostTables.Step(forAll.Best.Step)} s";
-        }
 
         if (found.Reached)
-        {
             yield return Line(BodyByBody.CostOf(found.Own.Select(own => own.Best)), "in its own step, which takes a scene for each");
-        }
 
         if (found.OneStep.Count > 0)
         {

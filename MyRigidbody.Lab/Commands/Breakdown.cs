@@ -1,3 +1,5 @@
+using RigidBodyDynamics.Lab.Output;
+
 namespace RigidBodyDynamics.Lab.Commands;
 
 /// <summary>Turns an exception of a running scene into an error of its file.</summary>
@@ -42,9 +44,7 @@ internal static class Breakdown
             for (int effect = 0; effect < scene.Bodies[body].Effects.Count; effect++)
             {
                 if (scene.Bodies[body].Effects[effect] == broken.Entry)
-                {
                     return $"bodies[{body}].effects[{effect}]";
-                }
             }
         }
 

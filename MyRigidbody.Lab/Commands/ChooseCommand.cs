@@ -50,9 +50,7 @@ internal static class ChooseCommand
             lab = Trial.Of(scene, advice.Truth, Rules.LabEuler, advice.Best.Step);
             StepClock.Take([lab, advice.Best], SecondsPerTurn, Turns);
             if (scene.Bodies.Count > 1)
-            {
                 each = Overrides.Named(path, () => BodyByBody.Of(scene, advice, error, done => report(share + ((1 - share) * done))));
-            }
         }));
 
         if (asJson)
@@ -63,9 +61,7 @@ internal static class ChooseCommand
         {
             Print(asked, error, advice, lab, path);
             if (each != null)
-            {
                 BodyByBodyReport.Print(scene, error, advice, each);
-            }
         }
 
         return advice.Reached
@@ -80,9 +76,7 @@ internal static class ChooseCommand
 
         Add(advice.Reached ? "cheapest" : "closest", advice.Best);
         if (advice.RunnerUp != null)
-        {
             Add("next", advice.RunnerUp);
-        }
 
         Terminal.WriteText(FormattableString.Invariant($"{scene.Name}: error below {error:R} (the larger of rad and m)"));
         Terminal.Write(table);
@@ -97,9 +91,7 @@ internal static class ChooseCommand
         {
             Terminal.WriteText($"To have it: {Shell.Line("run", path, "--integrator", advice.Best.Rule.Name, "--step", CostTables.ExactStep(advice.Best.Step))}");
             foreach ((string place, double linear, double angular) in StepFree.Rates(scene))
-            {
                 Terminal.WriteText(FormattableString.Invariant($$"""with, in place of {{place}}, { "linearDamping": {{linear:R}} }, { "angularDamping": {{angular:R}} }: with other steps its factor is another damping."""));
-            }
         }
 
         void Add(string what, Trial trial) => table.AddRow(

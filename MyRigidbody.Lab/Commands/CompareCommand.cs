@@ -53,9 +53,7 @@ internal static class CompareCommand
     {
         SceneFile file = SceneReader.Read(path).Told();
         if (file.Scene.Steps.Count > MostSteps)
-        {
             throw new InputException($"{path}: steps: compare takes at most {MostSteps}, found {file.Scene.Steps.Count}");
-        }
 
         return Breakdown.Placed(path, file.Scene, () => file.Recording != null
             ? RecordingComparison.Execute(file, file.Recording, folder, tolerance)
@@ -67,9 +65,7 @@ internal static class CompareCommand
         SceneDescription scene = file.Scene;
         IReadOnlyList<Pair> pairs = Pair.Of(file);
         if (pairs.Count > MostPairs)
-        {
             throw new InputException($"{file.Path}: bodies: compare takes at most {MostPairs} pairs, found {pairs.Count}");
-        }
 
         Overrides.Named(file.Path, () => Memory.MustHold("steps", BytesOfStep * scene.Steps.Count));
         Simulation trajectory = Overrides.Start(file.Path, scene);
@@ -77,9 +73,7 @@ internal static class CompareCommand
         Terminal.WithProgress("compare " + scene.Name, report =>
         {
             foreach (Pair pair in pairs)
-            {
                 found.Add(Overrides.Named(file.Path, () => Findings.Of(pair, scene.Steps, done => report((found.Count + done) / pairs.Count))));
-            }
         });
 
         Pictures.NoteIfThereAreNoFonts();

@@ -32,9 +32,7 @@ internal static class CostCommand
     {
         // bad input is refused before a measurement of minutes
         foreach (string path in paths)
-        {
             Overrides.Named(path, () => StepFree.Of(SceneReader.Read(path).Told().Scene));
-        }
 
         List<Func<Action<double>, CostMotion>> motions = [.. (paths.Length > 0 ? paths : [Gallery.Lab])
             .Select(path => (Func<Action<double>, CostMotion>)(report => CostMotion.Of(path, report)))];
@@ -68,9 +66,7 @@ internal static class CostCommand
         {
             string name = FileName(findings.Motion.Scene.Name, taken);
             foreach (string format in new[] { ".png", ".svg" })
-            {
                 files.Write(name + format, to => Pictures.Save(CostPictures.Of(findings), to, CostPictures.Height));
-            }
         }
 
         files.Write("cost.html", to => PageWriter.Write(Reports.Of(found, command), to));
@@ -83,9 +79,7 @@ internal static class CostCommand
         string plain = string.Concat(scene.Take(60).Select(letter => char.IsLetterOrDigit(letter) || letter is '-' or '_' ? letter : '-'));
         string name = "cost-" + plain;
         for (int i = 2; !taken.Add(name.ToUpperInvariant()); i++)
-        {
             name = FormattableString.Invariant($"cost-{plain}-{i}");
-        }
 
         return name;
     }
@@ -102,9 +96,7 @@ internal static class CostCommand
         Terminal.WriteLine();
         Terminal.WriteText("The cheapest integrator with an error below each bound, and its cost per simulated second:");
         foreach (CostFindings findings in found)
-        {
             Terminal.WriteText("- " + CostTables.InWords(findings));
-        }
 
         Terminal.WriteLine();
         Terminal.WriteText($"Written to {folder}: cost.csv, a diagram of every motion (.png, .svg), and cost.html, to open in the browser");

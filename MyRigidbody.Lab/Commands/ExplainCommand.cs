@@ -78,14 +78,10 @@ internal static class ExplainCommand
         foreach (Explained body in bodies)
         {
             if (body != bodies[0])
-            {
                 Terminal.WriteLine();
-            }
 
             foreach (string line in body.Lines())
-            {
                 Terminal.WriteLine(line);
-            }
         }
     }
 

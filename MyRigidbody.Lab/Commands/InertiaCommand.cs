@@ -30,18 +30,12 @@ internal static class InertiaCommand
         InertiaFile file = InertiaFile.Read(path, filling);
         InertiaReport report = new(file);
         if (scene != null)
-        {
             Write(file, scene);
-        }
 
         if (json)
-        {
             Terminal.WriteJson(report.ToJson());
-        }
         else
-        {
             report.Print();
-        }
 
         return report.Faulty > 0 ? 1 : 0;
     }
@@ -54,9 +48,7 @@ internal static class InertiaCommand
         files.Write(Path.GetFileName(output), temporary => File.WriteAllText(temporary, text, new UTF8Encoding(false)));
         files.Keep();
         if (leftOut.Count > 0)
-        {
             Terminal.Note($"{output}: left out, for no body is like that: {string.Join(", ", leftOut)}");
-        }
     }
 
     private static Option<double?> Number(string name, string about, string unit) =>
@@ -65,21 +57,15 @@ internal static class InertiaCommand
     private static Filling? Filling(double? mass, double? density, double? scale)
     {
         if (mass == null && density == null && scale == null)
-        {
             return null;
-        }
 
         if (mass != null && density != null)
-        {
             throw new InputException("--mass and --density exclude each other");
-        }
 
         foreach ((string name, double? value) in new[] { ("--mass", mass), ("--density", density), ("--scale", scale) })
         {
             if (value is double number && !(number > 0 && double.IsFinite(number)))
-            {
                 throw new InputException(FormattableString.Invariant($"{name}: must be finite and above zero, found {number:R}"));
-            }
         }
 
         return new Filling(mass, density ?? Inertia.Filling.Water, scale ?? 1);

@@ -11,9 +11,7 @@ internal static class Notes
         foreach ((string body, IReadOnlyList<string> notes) in file.Notes)
         {
             foreach (string note in notes)
-            {
                 Terminal.Note($"{file.Path}: {note}, in body \"{body}\"");
-            }
         }
 
         return file;

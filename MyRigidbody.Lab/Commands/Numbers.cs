@@ -11,9 +11,7 @@ internal static class Numbers
     {
         string text = result.Tokens[0].Value;
         if (!double.TryParse(text, NumberStyles.Float, CultureInfo.InvariantCulture, out double number))
-        {
             result.AddError($"{(result.Parent as OptionResult)?.Option.Name}: must be a number with a decimal point, found {text}");
-        }
 
         return number;
     }

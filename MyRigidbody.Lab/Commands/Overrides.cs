@@ -1,3 +1,5 @@
+using RigidBodyDynamics.Lab.Output;
+
 namespace RigidBodyDynamics.Lab.Commands;
 
 /// <summary>Options of the command line that replace values of the scene.</summary>
@@ -10,20 +12,14 @@ internal static class Overrides
         {
             Rule rule = Named("--integrator", () => Rules.Named(integrator));
             foreach (BodyDescription body in scene.Bodies)
-            {
                 body.Rule = rule;
-            }
         }
 
         if (step == null)
-        {
             return scene;
-        }
 
         if (scene.Bodies.Any(body => body.Effects.Any(effect => effect.Motion is PerStep)))
-        {
             throw new InputException("--step: the scene gives a force for every step, so its steps cannot be changed");
-        }
 
         double duration = scene.Steps.StartOf(scene.Steps.Count);
         TimeSteps steps = Named("--step", () => TimeSteps.Until(duration, step.Value));

@@ -31,19 +31,13 @@ internal sealed class RecordingComparison
     public static int Execute(SceneFile file, Recording recording, string folder, double tolerance)
     {
         if (!(tolerance >= 0))
-        {
             throw new InputException(FormattableString.Invariant($"--tolerance: must not be below 0, found {tolerance}"));
-        }
 
         if (recording.Rows.Count == 0)
-        {
             throw new InputException($"{recording.Path}: there is no such file, and compare needs the states that were recorded");
-        }
 
         if (folder.Length > 0 && RealPath.Same(folder, Path.GetDirectoryName(Path.GetFullPath(file.Path))!))
-        {
             throw new InputException($"--out: must be another folder than the recording's own, found {folder}");
-        }
 
         RecordingComparison found = new(recording);
         Simulation simulation = new(file.Scene);
@@ -60,9 +54,7 @@ internal sealed class RecordingComparison
         files.Write("summary.json", to => File.WriteAllText(to, found.Json(file.Scene)));
         Motion motion = Motion.Of(file, Words.All["recorded"].With(file.Scene.Bodies[0].Name).En, found._course, knowsSpin: !recording.IsOfScript);
         foreach (string format in new[] { ".png", ".svg" })
-        {
             files.Write("apart" + format, to => Pictures.Save(ComparePictures.Apart($"{file.Scene.Name}: how far {file.Scene.Bodies[0].Rule.Name} is from the recording", found._course), to));
-        }
 
         MotionPictures.Write(file.Scene.Name, motion, files);
         files.Write(Reports.FileName, to => PageWriter.Write(
@@ -112,25 +104,19 @@ internal sealed class RecordingComparison
                 _farthest[part] = difference > _farthest[part] || double.IsNaN(difference) ? difference : _farthest[part];
                 // equal numbers have equal bits, except for the sign of zero, which recordings do not keep
                 if ((float)ours[i] != theirs[i])
-                {
                     _difference ??= string.Create(CultureInfo.InvariantCulture, $"step {row}, {Recording.Columns[i]}: {(float)ours[i]:R} here, {theirs[i]:R} recorded");
-                }
             }
         }
 
         if (simulation.Bodies[0].IsAsleep != recording.IsAsleep(row))
-        {
             _difference ??= string.Create(CultureInfo.InvariantCulture, $"step {row}: {(recording.IsAsleep(row) ? "awake here, asleep" : "asleep here, awake")} in the recording");
-        }
     }
 
     private void Print(SceneDescription scene, string folder)
     {
         TextTable table = new("of", "largest difference");
         foreach (RecordingTable.Row row in Rows())
-        {
             table.AddRow(row.What.En, row.Largest);
-        }
 
         Terminal.WriteText($"{scene.Name}: {scene.About}");
         Terminal.WriteText(Lead(scene).En);

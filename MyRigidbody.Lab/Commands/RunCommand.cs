@@ -48,14 +48,10 @@ internal static class RunCommand
     private static int Execute(string path, string? integrator, double? step, long every, string? output, string? report)
     {
         if (every < 0)
-        {
             throw new InputException($"--every: must not be below 0, found {every}");
-        }
 
         if (output?.Length > 0 && report?.Length > 0 && RealPath.Same(output, report))
-        {
             throw new InputException($"--report: must be another file than --out, found {report}");
-        }
 
         SceneFile read = SceneReader.ReadWithCrowds(path).Told();
         SceneDescription scene = Overrides.Apply(read.Scene, integrator, step);

@@ -48,9 +48,7 @@ internal sealed class Apart
         SideBySide run = new(steps, a, b);
         Apart apart = new();
         while (run.Step())
-        {
             apart.Add(run.Between(0, 1));
-        }
 
         return apart;
     }

@@ -65,9 +65,7 @@ internal static class CompareTables
     {
         TextTable table = new("rule", "mine", "Unity's");
         foreach (RuleShare share in found.Shares)
-        {
             table.AddRow(share.Difference.Name, share.Difference.Mine, share.Difference.Unitys);
-        }
 
         return table;
     }

@@ -39,14 +39,10 @@ internal sealed record Difference(string Name, string Mine, string Unitys, Func<
         UnitySettings to = unity.Unity;
         List<Difference> rules = [];
         if (mine.Rule != Rules.LabEuler)
-        {
             rules.Add(new Difference("integrator", mine.Rule.Name, "the lab's steps, no ω × I ω", body => body));
-        }
 
         if (mine.Mass.PrincipalMoments != unity.Mass.PrincipalMoments || mine.Mass.Mass != unity.Mass.Mass)
-        {
             rules.Add(new Difference("inertia", Moments(mine.Mass), Moments(unity.Mass) + Factor(mine.Mass, unity.Mass), body => body.Copy(body.Name, unity.Mass)));
-        }
 
         rules.Add(new Difference("damping", Damping(mine), $"drag {Number(to.Drag)}, angularDrag {Number(to.AngularDrag)}", body =>
             Set(WithDampingOf(unity, body), settings =>
@@ -65,14 +61,10 @@ internal sealed record Difference(string Name, string Mine, string Unitys, Func<
                 settings.WakeCounter = to.WakeCounter;
             })));
         if (to.GyroscopicForces)
-        {
             rules.Add(new Difference("gyroscopic forces", "none", "PhysX 5's", body => Set(body, settings => settings.GyroscopicForces = true)));
-        }
 
         if (Acting(mine) != Acting(unity) || !mine.Start.Equals(unity.Start))
-        {
             rules.Add(new Difference("scene", Acting(mine), Acting(unity), body => Of(unity, body.Unity)));
-        }
 
         // last, and without a remainder: this is the body of the pair itself
         rules.Add(new Difference("precision", "double", to.InDouble ? "double" : "single", body =>
@@ -84,9 +76,7 @@ internal sealed record Difference(string Name, string Mine, string Unitys, Func<
     {
         BodyDescription copy = body.Copy(body.Name, body.Mass).Without(effect => IsDamping(effect));
         foreach (Effect effect in other.Effects.Where(IsDamping))
-        {
             copy.With(effect);
-        }
 
         return copy;
     }

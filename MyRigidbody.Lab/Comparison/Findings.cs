@@ -33,9 +33,7 @@ internal sealed record Findings(
         do
         {
             if (run.StepsDone % every == 0 || run.StepsDone == steps.Count)
-            {
                 course.Add(new Compared(run.StepsDone, run[0], run[1], run.Between(0, 1)));
-            }
         }
         while (run.Step());
         return course;

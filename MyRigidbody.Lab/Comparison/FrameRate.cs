@@ -64,9 +64,7 @@ internal sealed record FrameRate(int FramesPerSecond, double Impulse, double Ang
         foreach (Effect effect in body.Effects.Where(IsKey))
         {
             if (frames.FirstAt(effect.From) <= frame && frame < frames.FirstAt(effect.To))
-            {
                 ((KeyPush)effect.Motion).At(new Instant(0, time), body.Start, body.Mass, ref wrench);
-            }
         }
 
         return wrench;
@@ -82,9 +80,7 @@ internal sealed record FrameRate(int FramesPerSecond, double Impulse, double Ang
             foreach (Effect effect in body.Effects.Where(IsKey))
             {
                 if (steps.FirstAt(effect.From) <= step && step < steps.FirstAt(effect.To))
-                {
                     ((KeyPush)effect.Motion).At(new Instant(step, steps.StartOf(step)), body.Start, body.Mass, ref wrench);
-                }
             }
 
             force[step] = wrench.Force;

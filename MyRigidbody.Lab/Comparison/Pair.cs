@@ -1,3 +1,5 @@
+using RigidBodyDynamics.Lab.Output;
+
 namespace RigidBodyDynamics.Lab.Comparison;
 
 /// <summary>A body of a scene, and the Rigidbody that Unity would make of it.</summary>
@@ -13,9 +15,7 @@ internal sealed record Pair(BodyDescription Mine, BodyDescription Default)
         for (int i = 0; i < bodies.Count; i++)
         {
             if (bodies[i].Rule == Rules.UnityRigidbody)
-            {
                 continue;
-            }
 
             bool isNextUnitys = i + 1 < bodies.Count && bodies[i + 1].Rule == Rules.UnityRigidbody;
             pairs.Add(new Pair(bodies[i], isNextUnitys ? bodies[i + 1] : InUnity(bodies[i], file.SolidBoxes)));
@@ -32,9 +32,7 @@ internal sealed record Pair(BodyDescription Mine, BodyDescription Default)
         BodyDescription unity = mine.Copy(mine.Name + " in Unity", solidBoxes.GetValueOrDefault(mine.Name, mine.Mass));
         Coasting coasting = Coasting.Free;
         foreach (Effect effect in mine.Effects.Where(Difference.IsDamping))
-        {
             ((ICoast)effect.Motion).AddTo(ref coasting, mine.Mass);
-        }
 
         unity.Rule = Rules.UnityRigidbody;
         unity.Unity = new UnitySettings();

@@ -1,3 +1,5 @@
+using RigidBodyDynamics.Lab.Output;
+
 namespace RigidBodyDynamics.Lab.Comparison;
 
 /// <summary>Bodies that move at the same time, each with its turn since the start.</summary>
@@ -40,9 +42,7 @@ internal sealed class SideBySide
     public bool Step()
     {
         if (_simulation.StepsDone == _simulation.Scene.Steps.Count)
-        {
             return false;
-        }
 
         _simulation.Step();
         for (int i = 0; i < _states.Length; i++)

@@ -1,3 +1,5 @@
+using RigidBodyDynamics.Lab.Output;
+
 namespace RigidBodyDynamics.Lab;
 
 /// <summary>Reads a file of the user; any error is one line.</summary>
@@ -8,16 +10,12 @@ internal static class InputFile
     public static ArraySegment<byte> Bytes(string path)
     {
         if (path.Length == 0)
-        {
             throw new InputException("the name of a file must not be empty");
-        }
 
         try
         {
             if (Directory.Exists(path))
-            {
                 throw new InputException($"{path}: is a folder, not a file");
-            }
 
             using FileStream file = new(path, FileMode.Open, FileAccess.Read, FileShare.Read, bufferSize: 0);
             // a pipe or a device has no known length, and may not end
@@ -27,14 +25,10 @@ internal static class InputFile
             {
                 count += read;
                 if (count > Largest)
-                {
                     throw new InputException($"{path}: is larger than {Largest >> 20} MB");
-                }
 
                 if (count == bytes.Length)
-                {
                     Array.Resize(ref bytes, 2 * count);
-                }
             }
 
             return new ArraySegment<byte>(bytes, 0, count);

@@ -41,13 +41,9 @@ internal static class Language
     public static void Describe(Command command)
     {
         foreach (Symbol symbol in command.Options.Cast<Symbol>().Concat(command.Arguments).Append(command).Where(symbol => symbol.Description != null))
-        {
             symbol.Description = Say(symbol.Description!);
-        }
 
         foreach (Command below in command.Subcommands)
-        {
             Describe(below);
-        }
     }
 }

@@ -30,9 +30,7 @@ internal sealed class Files : IDisposable
         Try(MakeFolder);
         // temporary files are removed when the process is stopped
         foreach (PosixSignal signal in new[] { PosixSignal.SIGINT, PosixSignal.SIGTERM, PosixSignal.SIGHUP })
-        {
             _signals.Add(PosixSignalRegistration.Create(signal, _ => TakeAway()));
-        }
 
         AppDomain.CurrentDomain.ProcessExit += (_, _) => TakeAway();
     }
@@ -78,20 +76,14 @@ internal sealed class Files : IDisposable
     {
         string name = Path.GetFileName(_name) == fileName ? _name : Path.Combine(_name, fileName);
         if (Directory.Exists(final))
-        {
             throw new InputException($"{name}: is a folder, and a file of this name is to be written");
-        }
 
         if (Array.Find(_inputs, input => RealPath.Same(input, final)) is not null)
-        {
             throw new InputException($"{name}: is what was read, and would be written over");
-        }
 
         // a dangling link exists, too
         if ((File.Exists(final) || new FileInfo(final).LinkTarget != null) && !RealPath.IsPlainFile(final))
-        {
             throw new InputException($"{name}: is a link, a pipe or a device, and a file would take its place");
-        }
     }
 
     private void TakeAway()
@@ -99,14 +91,10 @@ internal sealed class Files : IDisposable
         try
         {
             foreach ((string temporary, string _) in _written)
-            {
                 File.Delete(temporary);
-            }
 
             foreach (string folder in _made.Where(folder => Directory.Exists(folder) && !Directory.EnumerateFileSystemEntries(folder).Any()))
-            {
                 Directory.Delete(folder);
-            }
         }
         catch (Exception left) when (left is IOException or UnauthorizedAccessException)
         {

@@ -1,6 +1,4 @@
-using RigidBodyDynamics.Lab.Output;
-
-namespace RigidBodyDynamics.Lab;
+namespace RigidBodyDynamics.Lab.Output;
 
 /// <summary>Bad usage or bad input: exit code 2. The message is one whole line, "FILE: PLACE: what is wrong".</summary>
 internal sealed class InputException(string message) : Exception(Visible.Line(message, Longest))

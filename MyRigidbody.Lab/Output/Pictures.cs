@@ -49,9 +49,7 @@ internal static class Pictures
     {
         // without fonts, Skia counts one without a name
         if (SKFontManager.Default.FontFamilies.All(string.IsNullOrEmpty))
-        {
             Terminal.Note("no font on this machine: pictures have lines but no text; install one (Debian: fonts-dejavu-core)");
-        }
     }
 
     private static bool Lacks(string font, string text)

@@ -12,9 +12,7 @@ internal static class RealPath
     {
         string full = Path.TrimEndingDirectorySeparator(Path.GetFullPath(path));
         if (Path.GetDirectoryName(full) is not string folder)
-        {
             return full;
-        }
 
         string here = Path.Combine(Of(folder), Path.GetFileName(full));
         return new FileInfo(here).LinkTarget == null ? here : Of(Target(here));
@@ -41,9 +39,7 @@ internal static class RealPath
     {
         FileInfo file = new(path);
         if (!file.Exists || file.LinkTarget != null)
-        {
             return false;
-        }
 
         return OperatingSystem.IsWindows() || file.Length > 0 || IsEmptyFile(path);
     }

@@ -36,18 +36,14 @@ internal sealed class StandardOutput(Stream pipe) : Stream
     public static void Use()
     {
         if (Pipe() is Stream pipe)
-        {
             Console.SetOut(new StreamWriter(pipe, new UTF8Encoding(false)) { AutoFlush = true });
-        }
     }
 
     /// <summary>Only a pipe is opened anew; in a file the position must be kept.</summary>
     private static StandardOutput? Pipe()
     {
         if (OperatingSystem.IsWindows() || !Console.IsOutputRedirected)
-        {
             return null;
-        }
 
         FileStream stream = new(new SafeFileHandle(Handle, ownsHandle: false), FileAccess.Write, bufferSize: 0);
         return stream.CanSeek ? null : new StandardOutput(stream);

@@ -62,9 +62,7 @@ internal static class Terminal
         }
 
         foreach (Segment piece in what.GetSegments(AnsiConsole.Create(new AnsiConsoleSettings { Out = new Pipe(), ColorSystem = ColorSystemSupport.NoColors })))
-        {
             Console.Out.Write(piece.Text);
-        }
     }
 
     /// <summary>An output of unknown width.</summary>

@@ -13,9 +13,7 @@ internal sealed class TextTable
     public TextTable(params IEnumerable<string> headings)
     {
         foreach (string heading in headings)
-        {
             _table.AddColumn(new TableColumn(new Text(Visible.Line(Language.Say(heading)), new Style(decoration: Decoration.Bold))));
-        }
     }
 
     public int Columns => _table.Columns.Count;
@@ -24,9 +22,7 @@ internal sealed class TextTable
     public TextTable RightAligned(params int[] columns)
     {
         foreach (int column in columns.Length > 0 ? columns : Enumerable.Range(1, Columns - 1))
-        {
             _table.Columns[column].RightAligned();
-        }
 
         return this;
     }

@@ -23,9 +23,7 @@ internal static class Visible
     private static string Shown(string text, string keep)
     {
         if (!text.AsSpan().ContainsAnyExcept(Plain))
-        {
             return text;
-        }
 
         StringBuilder shown = new(text.Length + 16);
         for (int at = 0, length; at < text.Length; at += length)
@@ -39,9 +37,7 @@ internal static class Visible
             }
 
             foreach (char unit in letter)
-            {
                 shown.Append(CultureInfo.InvariantCulture, $"\\u{(int)unit:x4}");
-            }
         }
 
         return shown.ToString();

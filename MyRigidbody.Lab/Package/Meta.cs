@@ -1,5 +1,6 @@
 using System.Text;
 using System.Text.RegularExpressions;
+using RigidBodyDynamics.Lab.Output;
 
 namespace RigidBodyDynamics.Lab.Package;
 

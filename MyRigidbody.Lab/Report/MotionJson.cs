@@ -53,9 +53,7 @@ internal static class MotionJson
         json.WriteStartObject();
         json.WriteString("name", track.Name);
         if (track.Names is { } names)
-        {
             Write(json, "names", names);
-        }
 
         Rounded(json, "edges", Parts(track.Edges), Digits);
         Rounded(json, "boxFrame", Parts(track.Shape.PrincipalFrame.Normalized), Digits);
@@ -117,9 +115,7 @@ internal static class MotionJson
     {
         json.WriteStartArray(name);
         foreach (double value in values)
-        {
             json.WriteRawValue(text(value));
-        }
 
         json.WriteEndArray();
     }

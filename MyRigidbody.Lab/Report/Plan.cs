@@ -24,9 +24,7 @@ internal sealed record Plan(IReadOnlyList<Plan.Of> Bodies) : Section
             string words = explanation.ToString();
             string key = plan.Rule.Name + words[words.IndexOf('\n', StringComparison.Ordinal)..];
             if (known.TryAdd(key, kinds.Count))
-            {
                 kinds.Add(([], explanation, plan));
-            }
 
             kinds[known[key]].Names.Add(name);
         }

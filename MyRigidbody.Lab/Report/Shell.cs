@@ -21,9 +21,7 @@ internal static class Shell
     private static string Quoted(string argument)
     {
         if (argument.Length > 0 && argument.All(IsPlain))
-        {
             return argument;
-        }
 
         bool isVisible = Output.Visible.Line(argument) == argument;
         return isVisible && !argument.Any(MeansMoreInDouble.Contains) ? $"\"{argument}\""

@@ -1,7 +1,7 @@
 using System.Runtime.InteropServices.JavaScript;
 using System.Text;
 using System.Text.Json;
-using RigidBodyDynamics.Lab;
+using RigidBodyDynamics.Lab.Output;
 
 namespace RigidBodyDynamics.Web.Play;
 

@@ -1,4 +1,4 @@
-using RigidBodyDynamics.Lab;
+using RigidBodyDynamics.Lab.Output;
 
 namespace RigidBodyDynamics.Web.Play;
 

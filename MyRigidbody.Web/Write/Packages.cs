@@ -2,10 +2,10 @@ using System.Runtime.InteropServices.JavaScript;
 using System.Security.Cryptography;
 using System.Text;
 using RigidBodyDynamics.Judging;
-using RigidBodyDynamics.Lab;
 using RigidBodyDynamics.Lab.Grading.Reading;
 using RigidBodyDynamics.Lab.Grading.Students;
 using RigidBodyDynamics.Lab.Languages;
+using RigidBodyDynamics.Lab.Output;
 using RigidBodyDynamics.Lab.Package;
 using RigidBodyDynamics.StudentScripts;
 

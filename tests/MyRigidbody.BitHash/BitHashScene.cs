@@ -23,9 +23,7 @@ namespace RigidBodyDynamics.BitHash
                 {
                     simulation.Step();
                     foreach (Body body in simulation.Bodies)
-                    {
                         hash.Add(body.State);
-                    }
                 }
             }
 

@@ -22,9 +22,7 @@ internal sealed class Browser : IDisposable
     {
         string? chromium = OnPath("chromium"), driver = OnPath("chromedriver");
         if (chromium == null || driver == null)
-        {
             Assert.Ignore("no chromium and chromedriver here (Debian: chromium, chromium-driver)");
-        }
 
         ChromeOptions options = new() { BinaryLocation = chromium };
         options.AddArguments("--headless=new", "--no-sandbox", "--disable-dev-shm-usage", "--hide-scrollbars", "--lang=en", "--window-size=1200,900");
@@ -66,9 +64,7 @@ internal sealed class Browser : IDisposable
     public void Forget()
     {
         foreach (string script in _before)
-        {
             _driver.ExecuteCdpCommand("Page.removeScriptToEvaluateOnNewDocument", new Dictionary<string, object?> { ["identifier"] = script });
-        }
 
         _before.Clear();
         _driver.Navigate().GoToUrl("about:blank");
@@ -99,9 +95,7 @@ internal sealed class Browser : IDisposable
         while (!Get<bool>($"Boolean({expression})"))
         {
             if (DateTime.UtcNow > until)
-            {
                 return false;
-            }
 
             Thread.Sleep(50);
         }
@@ -203,9 +197,7 @@ internal sealed class Browser : IDisposable
     private void OpenAddress(params string[] addresses)
     {
         foreach (string address in addresses)
-        {
             _driver.Navigate().GoToUrl(address);
-        }
 
         Assert.That(Becomes("window.report && (report.cheapest || document.querySelector('.class, .student') || report.pictures && report.pictures() > 0)"), NUnit.Framework.Is.True, "the page draws nothing: " + string.Join("; ", Complaints()));
     }

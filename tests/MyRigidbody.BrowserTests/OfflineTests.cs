@@ -126,9 +126,7 @@ public sealed class OfflineTests
         string before = File.ReadAllText(page), after = before.Replace("<html ", $"<html data-site=\"{name}\" ", StringComparison.Ordinal);
         Assert.That(after, Is.Not.EqualTo(before));
         if (withPage)
-        {
             File.WriteAllText(page, after);
-        }
 
         Assert.That(File.ReadAllText(worker), Does.Contain(Hash(before)));
         string script = File.ReadAllText(worker).Replace(Hash(before), Hash(after), StringComparison.Ordinal);

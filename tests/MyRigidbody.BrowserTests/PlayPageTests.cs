@@ -158,9 +158,7 @@ public sealed class PlayPageTests : LabPageFixture
         Browser.Find("#save-scene").Click();
         Browser.Find("#save-recording").Click();
         foreach (string name in new[] { "lab-played.json", "lab-recording.json", "lab-recording.csv" })
-        {
             Assert.That(() => File.Exists(_folder.File(name)), NUnit.Framework.Is.True.After(20_000, 100), name);
-        }
 
         LabProcess run = LabProcess.Run(_folder.Path, "run", "lab-played.json", "--every", "0");
         LabProcess compare = LabProcess.Run(_folder.Path, "compare", "lab-recording.json");

@@ -15,14 +15,10 @@ public sealed class PlayedBitsTests
     private static IEnumerable<object[]> Cases()
     {
         foreach (string scene in new[] { "lab", "lab-box", "homework", "t-handle", "rocket", "locked-door" })
-        {
             yield return [scene, string.Empty, true];
-        }
 
         foreach (string rule in new[] { "ExplicitEuler", "UnityRigidbody", "Splitting", "RungeKutta4", "Exact", "Exact4", "Exact6" })
-        {
             yield return ["lab-box", rule, false];
-        }
 
         yield return ["tumbling-slab", "Exact6", false];
     }
@@ -33,9 +29,7 @@ public sealed class PlayedBitsTests
         using TemporaryFolder folder = new();
         string played = Play(folder, scene, rule, ownKeys);
         foreach (string mesh in Directory.GetFiles(Root.File("scenes"), "*.obj"))
-        {
             File.Copy(mesh, folder.File(Path.GetFileName(mesh)));
-        }
 
         LabProcess run = LabProcess.Run(folder.Path, "run", played + ".json", "--out", "run.csv");
         Assert.That(run.ExitCode, NUnit.Framework.Is.Zero, run.Error);
@@ -55,9 +49,7 @@ public sealed class PlayedBitsTests
             int place = Enumerable.Range(0, width / PerBody).FirstOrDefault(body => motion[^1].SequenceEqual(PoseInRow(rows, (Steps - 1) * width, body)), -1);
             Assert.That(place, Is.Not.Negative, $"{name} ends where no body of the page does");
             for (int step = 0; step < Steps; step++)
-            {
                 Assert.That(PoseInRow(rows, step * width, place), Is.EqualTo(motion[step]), $"{name} after step {step + 1}");
-            }
         }
     }
 
@@ -80,9 +72,7 @@ public sealed class PlayedBitsTests
         string played = folder.File("played");
         using Process? node = Start([Root.File("tests/MyRigidbody.BrowserTests/played.mjs"), program, Root.File("scenes"), scene, rule, ownKeys ? "true" : "false", Steps.ToString(CultureInfo.InvariantCulture), played]);
         if (node == null)
-        {
             Assert.Ignore("node is not on the path");
-        }
 
         string error = node!.StandardError.ReadToEnd();
         node.WaitForExit();

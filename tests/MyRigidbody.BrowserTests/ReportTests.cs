@@ -87,9 +87,7 @@ public sealed class ReportTests : BrowserFixture
             {
                 string[] names = columns.Split(',');
                 for (int i = 0; i < names.Length; i++)
-                {
                     Assert.That(Browser.Get<double>($"{pose}.{part}[{i}]"), Is.EqualTo(row[names[i]]).Within(within), $"{body} {names[i]}");
-                }
             }
         }
     }

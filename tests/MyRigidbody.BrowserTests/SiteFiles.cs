@@ -28,9 +28,7 @@ internal static class SiteFiles
     public static string Built(string path)
     {
         if (!File.Exists(Root.File(path)))
-        {
             Assert.Ignore($"no {path} here (dotnet run -c Release --project MyRigidbody.Web -- --out artifacts/site)");
-        }
 
         return Root.File(path);
     }

@@ -78,9 +78,7 @@ public sealed partial class SiteFilesTests
         string licences = File.ReadAllText(SiteFiles.InFolder("licences.txt"));
 
         foreach (string text in new[] { "Microsoft.NETCore.App.Runtime.Mono.browser-wasm", "Microsoft.CodeAnalysis.CSharp", "The MyRigidbody authors", "Permission is hereby granted" })
-        {
             Assert.That(licences, Does.Contain(text));
-        }
     }
 
     private const string Always = ".bin";

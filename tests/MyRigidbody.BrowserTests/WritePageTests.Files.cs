@@ -44,9 +44,7 @@ public sealed partial class WritePageTests
 
         Browser.Press(Keys.ArrowDown + Keys.Enter);
         if (Browser.Get<bool>("document.querySelector('.write .choice').open"))
-        {
             Browser.Find(".write .choice button[value=yes]").Click();
-        }
 
         Assert.That(Browser.Becomes("lab.write.editor.text.endsWith('// second')"), Is.True);
     }
@@ -57,9 +55,7 @@ public sealed partial class WritePageTests
     {
         string before = Text(), file = Root.File("tests/data/submissions/packages/" + name);
         if (!File.Exists(file))
-        {
             File.WriteAllText(file = _folder.File(name), "no script");
-        }
 
         Browser.Find(".write input[type=file]").SendKeys(file);
 

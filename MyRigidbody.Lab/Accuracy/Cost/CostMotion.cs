@@ -1,3 +1,5 @@
+using RigidBodyDynamics.Lab.Output;
+
 namespace RigidBodyDynamics.Lab;
 
 /// <summary>A scene whose true motion is known.</summary>

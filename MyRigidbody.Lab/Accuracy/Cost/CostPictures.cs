@@ -29,17 +29,13 @@ internal static class CostPictures
     {
         Plot plot = Pictures.New($"{found.Motion.Scene.Name}: error against time");
         for (int i = 0; i < Rules.All.Count; i++)
-        {
             Add(plot, found, i);
-        }
 
         AddFloor(plot, found.Motion.Truth);
         bool hasOthers = found.Motion.IsSolved && found.Motion.Scene.Name == OtherEngine.Motion;
         Frame(plot, found, hasOthers);
         if (hasOthers)
-        {
             AddOthers(plot);
-        }
 
         return plot;
     }
@@ -73,14 +69,10 @@ internal static class CostPictures
         Color grey = ScottPlot.Colors.Black.WithAlpha(1 - Grey);
         LabelPlaces places = new(plot.Axes.GetLimits());
         foreach (Scatter line in plot.GetPlottables().OfType<Scatter>())
-        {
             places.Avoid(line.Data.GetScatterPoints());
-        }
 
         foreach (OtherEngine engine in OtherEngine.All)
-        {
             places.Avoid([At(engine)]);
-        }
 
         // from the right, so that the lines do not cross
         foreach (OtherEngine engine in OtherEngine.All.OrderByDescending(engine => engine.Cost))

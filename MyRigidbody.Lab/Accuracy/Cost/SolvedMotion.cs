@@ -36,14 +36,10 @@ internal static class SolvedMotion
         // without drag and limit, which Unity adds to a motion that has none: only the integrator is measured
         body.Unity = new UnitySettings { AngularDrag = 0, MaxAngularVelocity = double.PositiveInfinity, SleepThreshold = 0 };
         if (fields.Optional("torque") is Place torque)
-        {
             Add(body, torque.Fields());
-        }
 
         if (fields.Optional("angular_damping_rate") is Place rate)
-        {
             body.With(new AngularDamping(rate.Number()));
-        }
 
         string about = fields.Required("description").Text();
         SceneDescription scene = new(name, about, TimeSteps.Until(until, BaseStep), [body]);

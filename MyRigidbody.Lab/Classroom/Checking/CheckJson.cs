@@ -42,7 +42,6 @@ internal static class CheckJson
             Options);
     }
 
-    /// <summary>A finding.</summary>
     public static object Of(Finding finding) => new
     {
         finding.Step,

@@ -1,4 +1,5 @@
 using System.Collections.Concurrent;
+using RigidBodyDynamics.Lab.Output;
 
 namespace RigidBodyDynamics.Lab.Checking;
 

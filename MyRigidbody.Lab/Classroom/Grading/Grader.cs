@@ -3,6 +3,7 @@ using RigidBodyDynamics.Lab.Grading.Judging;
 using RigidBodyDynamics.Lab.Grading.Marks;
 using RigidBodyDynamics.Lab.Grading.Reading;
 using RigidBodyDynamics.Lab.Grading.Students;
+using RigidBodyDynamics.Lab.Output;
 
 namespace RigidBodyDynamics.Lab.Grading;
 

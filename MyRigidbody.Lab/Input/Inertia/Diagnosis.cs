@@ -15,29 +15,19 @@ internal static class Diagnosis
     public static IReadOnlyList<Finding> Of(DescribedBody body)
     {
         if (body.Mass is not double mass || body.IsComputed)
-        {
             return body.Faults;
-        }
 
         List<Finding> findings = [.. body.Faults];
         if (mass <= 0)
-        {
             findings.Add(new Finding("mass", Severity.Wrong, FormattableString.Invariant($"mass is {mass:R} kg: a body that moves has a mass above zero; what is fixed needs no inertial")));
-        }
 
         double[] moments = Tensors.Moments(body.Tensor);
         if (moments[2] == 0 && moments[0] == 0)
-        {
             findings.Add(new Finding("no-inertia", Severity.Wrong, "all moments are zero: a body that turns has some"));
-        }
         else if (!Tensors.IsPossible(body.Tensor))
-        {
             findings.AddRange(Impossible(body, mass, moments));
-        }
         else if (mass > 0)
-        {
             findings.AddRange(body.Geometry is Geometry geometry && geometry.Weighing(mass) is MassProperties even ? GeometryDiagnosis.Of(body, mass, geometry, even) : Alone(body, mass));
-        }
 
         return findings;
     }
@@ -76,15 +66,11 @@ internal static class Diagnosis
         }
 
         if (!Tensors.IsDiagonal(tensor) && IsLike(body, Tensors.Turned(tensor), filled))
-        {
             return ("product-signs", "with the signs of the products reversed it is possible: ixy is minus the integral of x y, and many drawing programs print plus; " + Tensors.Text(Tensors.Turned(tensor)));
-        }
 
         SymmetricMatrix3 moved = mass * SymmetricMatrix3.OfPoint(body.Center), back = body.InBodyAxes + moved;
         if (!body.Center.IsZero && mass > 0 && Tensors.IsPossible(back) && (filled is not SymmetricMatrix3 even || Tensors.Apart(back, even) < Alike))
-        {
             return ("moved-twice", "with m (d·d 1 − d dᵀ) added it is possible: it was moved from the origin of the link to the centre of mass once more than it should; about the centre of mass in the link's axes it is " + Tensors.Text(back));
-        }
 
         return Slip(body, filled) is (string name, double factor, SymmetricMatrix3 possible)
             ? ("decimal-point", FormattableString.Invariant($"{name} times {factor:R} makes a body of it: its decimal point may have slipped; {Tensors.Text(possible)}"))

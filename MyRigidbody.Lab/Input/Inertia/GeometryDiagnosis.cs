@@ -34,14 +34,10 @@ internal static class GeometryDiagnosis
         }
 
         if (center != null)
-        {
             yield return center;
-        }
 
         if (tensor != null)
-        {
             yield return tensor;
-        }
     }
 
     private static Finding? Center(Vector3d center, Geometry geometry)
@@ -67,44 +63,30 @@ internal static class GeometryDiagnosis
         // for any distribution of mass: no mass is farther from the middle than the corners of the box
         double most = mass * half.LengthSquared;
         if (apart < 0.3)
-        {
             return Mirrored(given, filled);
-        }
 
         if (Diagnosis.Placeholder(body.Tensor) is string placeholder)
-        {
             return new Finding("placeholder", Severity.Doubtful, placeholder + expected);
-        }
 
         (double factor, string unit) = Units.MinBy(unit => Math.Abs(Math.Log(ratio / unit.Factor)));
         if (ratio / factor is > 0.2 and < 5)
-        {
             return new Finding("units", Severity.Doubtful, FormattableString.Invariant($"its moments are {ratio:G2} times those of the geometry evenly filled: {unit}?") + expected);
-        }
 
         SymmetricMatrix3 aboutOrigin = filled + mass * SymmetricMatrix3.OfPoint(body.Center);
         if (!body.Center.IsZero && !isCenterOff && Tensors.Apart(given, aboutOrigin) < 0.15 && Tensors.Apart(aboutOrigin, filled) > 0.3)
-        {
             return new Finding("about-origin", Severity.Doubtful, "it was taken about the origin of the link, and is wanted about the centre of mass" + expected);
-        }
 
         if (Mirrored(given, filled) is Finding mirrored)
-        {
             return mirrored;
-        }
 
         foreach ((double times, string how) in new[] { (4.0, "twice the lengths (half edges were wanted, or the diameter stands for the radius)"), (0.25, "half the lengths (full edges were wanted, or the radius stands for the diameter)") })
         {
             if (Tensors.Apart(given, times * filled) < 0.03)
-            {
                 return new Finding("lengths", Severity.Doubtful, FormattableString.Invariant($"it is {times:R} times that of the geometry: computed with {how}") + expected);
-            }
         }
 
         if (Exchanged(given, filled) is string axes)
-        {
             return new Finding("axes", Severity.Doubtful, $"its moments are those of the geometry about other axes: {axes}" + expected);
-        }
 
         return Tensors.Spread(given) > 1.05 * most
             ? new Finding("too-large", Severity.Doubtful, FormattableString.Invariant($"its moments are {ratio:G3} times those of the geometry evenly filled: no mass within it is so far from the centre") + expected)
@@ -129,9 +111,7 @@ internal static class GeometryDiagnosis
         foreach ((int[] order, string axes) in new[] { (new[] { 1, 0, 2 }, "x and y exchanged"), ([2, 1, 0], "x and z exchanged"), ([0, 2, 1], "y and z exchanged"), ([1, 2, 0], "x, y, z as y, z, x"), ([2, 0, 1], "x, y, z as z, x, y") })
         {
             if (Enumerable.Range(0, 3).All(i => Math.Abs(g[i] / f[order[i]] - 1) < 0.1))
-            {
                 return axes;
-            }
         }
 
         return null;

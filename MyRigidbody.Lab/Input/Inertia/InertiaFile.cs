@@ -1,6 +1,7 @@
 using System.Xml.Linq;
 using RigidBodyDynamics.Lab.Inertia.Robots;
 using RigidBodyDynamics.Lab.Meshes;
+using RigidBodyDynamics.Lab.Output;
 
 namespace RigidBodyDynamics.Lab.Inertia;
 
@@ -20,9 +21,7 @@ internal sealed record InertiaFile(string Path, string Kind, IReadOnlyList<Descr
         string extension = System.IO.Path.GetExtension(path).ToLowerInvariant();
         bool isMesh = MeshFile.HasKnownName(path);
         if (!isMesh && filling != null)
-        {
             throw new InputException($"{path}: --mass, --density and --scale are for meshes, and this file says it itself");
-        }
 
         return extension switch
         {
@@ -57,20 +56,14 @@ internal sealed record InertiaFile(string Path, string Kind, IReadOnlyList<Descr
         Vector3d size = shape.High - shape.Low;
         List<string> notes = [FormattableString.Invariant($"{mesh.Triangles.Length / 3} triangles, closed; {Tensors.Short(size.X)} × {Tensors.Short(size.Y)} × {Tensors.Short(size.Z)} m, {Tensors.Short(shape.Filled.Mass)} m³")];
         if (mesh.Collapsed > 0)
-        {
             notes.Add(FormattableString.Invariant($"{mesh.Collapsed} triangles with two equal corners are left out"));
-        }
 
         if (filling.Mass == null)
-        {
             notes.Add(FormattableString.Invariant($"as heavy as {filling.Density:R} kg/m³ make it{(filling.Density == Filling.Water ? ", which is water; --mass or --density says another" : string.Empty)}"));
-        }
 
         List<Finding> faults = [];
         if (Math.Max(size.X, Math.Max(size.Y, size.Z)) > LargePart && filling.Scale == 1)
-        {
             faults.Add(new Finding("units", Severity.Doubtful, $"the part is {Tensors.Short(size.X)} m × {Tensors.Short(size.Y)} m × {Tensors.Short(size.Z)} m large; a mesh has no unit, and in millimetres it wants --scale 0.001"));
-        }
 
         DescribedBody body = new(System.IO.Path.GetFileNameWithoutExtension(path), string.Empty)
         {

@@ -44,33 +44,23 @@ internal sealed class InertiaReport
 
         Terminal.Write(table);
         if (_bodies.Count > MostShown)
-        {
             Terminal.WriteText($"and {_bodies.Count - MostShown} bodies more, which --json shows");
-        }
 
         foreach ((DescribedBody body, IReadOnlyList<Finding> findings) in _bodies.Where(body => body.Findings.Count + body.Body.Notes.Count > 0).Take(MostShown))
         {
             string name = body.Name + (body.Place.Length > 0 ? $" ({body.Place})" : string.Empty);
             foreach (Finding finding in findings)
-            {
                 Terminal.WriteText($"{name}: {finding.Severity.ToString().ToLowerInvariant()}, {finding.Code}: {finding.Text}");
-            }
 
             foreach (string note in body.Notes)
-            {
                 Terminal.WriteText($"{name}: note: {note}");
-            }
         }
 
         foreach (string note in _file.Notes)
-        {
             Terminal.WriteText("note: " + note);
-        }
 
         if (Faulty > 0)
-        {
             Terminal.WriteText($"{Faulty} of {_bodies.Count} bodies {(Faulty == 1 ? "is" : "are")} wrong or doubtful");
-        }
     }
 
     /// <summary>For programs.</summary>

@@ -1,6 +1,7 @@
 using System.Text.Encodings.Web;
 using System.Text.Json;
 using System.Text.Json.Nodes;
+using RigidBodyDynamics.Lab.Output;
 
 namespace RigidBodyDynamics.Lab.Inertia;
 
@@ -52,9 +53,7 @@ internal static class InertiaScene
     private static MassProperties? Made(DescribedBody body)
     {
         if (body.Mass is not double mass)
-        {
             return null;
-        }
 
         bool isRounded = Diagnosis.Of(body).Any(finding => finding.Code == "rounded");
         try
@@ -77,9 +76,7 @@ internal static class InertiaScene
     {
         string unique = Short(name);
         for (int number = 2; !names.Add(unique); number++)
-        {
             unique = Short($"{name} ({number})");
-        }
 
         return unique;
     }

@@ -22,9 +22,7 @@ internal static class SceneBodies
         {
             Fields kinds = inertia.Fields();
             if ((kinds.Optional("tensor") ?? kinds.Optional("principal")) is Place numbers)
-            {
                 return Given(new DescribedBody(name, place.Path), fields, kinds, numbers);
-            }
         }
 
         BodyInertia read = InertiaReader.Read(fields, name);
@@ -45,9 +43,7 @@ internal static class SceneBodies
             (n[0], n[1], n[2]) = (moments.X, moments.Y, moments.Z);
             int i = 0;
             foreach (Place moment in numbers.List())
-            {
                 written[i++] = moment.Value.GetRawText();
-            }
         }
         else
         {

@@ -1,4 +1,5 @@
 using System.Diagnostics.CodeAnalysis;
+using RigidBodyDynamics.Lab.Output;
 
 namespace RigidBodyDynamics.Lab.Meshes;
 
@@ -22,16 +23,12 @@ internal sealed class MeshBuilder(string path)
     public int Vertex(Vector3d position, string place)
     {
         if (!position.IsFinite)
-        {
             throw Wrong(place, "a corner must have three finite numbers, found " + position);
-        }
 
         // turns minus zero into zero
         position += Vector3d.Zero;
         if (_known.TryGetValue(position, out int number))
-        {
             return number;
-        }
 
         _known.Add(position, Vertices.Count);
         Vertices.Add(position);
@@ -55,9 +52,7 @@ internal sealed class MeshBuilder(string path)
     public void MustFit(long triangles)
     {
         if (triangles > MeshFile.MostTriangles)
-        {
             throw new InputException($"{path}: must have at most {MeshFile.MostTriangles} triangles, and has more");
-        }
     }
 
     /// <summary>The error at a place of the file.</summary>

@@ -23,26 +23,18 @@ internal sealed record MeshFile(string Path, Vector3d[] Vertices, int[] Triangle
     public static MeshFile Read(string path)
     {
         if (!HasKnownName(path))
-        {
             throw new InputException($"{path}: must be a mesh in STL or OBJ (.stl, .obj), whose surface is closed");
-        }
 
         // a scene may name it, and a pipe may not end
         if (File.Exists(path) && !RealPath.IsPlainFile(RealPath.Of(path)))
-        {
             throw new InputException($"{path}: is a pipe or a device, not a file");
-        }
 
         ArraySegment<byte> bytes = InputFile.Bytes(path);
         MeshBuilder mesh = new(path);
         if (IsStl(path))
-        {
             StlReader.Read(bytes, mesh);
-        }
         else
-        {
             ObjReader.Read(bytes, mesh);
-        }
 
         return mesh.Triangles.Count > 0
             ? new MeshFile(path, [.. mesh.Vertices], [.. mesh.Triangles], mesh.Collapsed)
@@ -54,9 +46,7 @@ internal sealed record MeshFile(string Path, Vector3d[] Vertices, int[] Triangle
     public MeshFile Scaled(Vector3d factors)
     {
         if (factors.X == 0 || factors.Y == 0 || factors.Z == 0 || !factors.IsFinite)
-        {
             throw Guard.Refused("scale", factors, "must have three finite factors, none of them zero");
-        }
 
         bool isMirrored = (factors.X < 0) ^ (factors.Y < 0) ^ (factors.Z < 0);
         return this with

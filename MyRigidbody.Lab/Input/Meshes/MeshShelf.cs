@@ -1,3 +1,5 @@
+using RigidBodyDynamics.Lab.Output;
+
 namespace RigidBodyDynamics.Lab.Meshes;
 
 /// <summary>The meshes of a file, each read once, however often it is named.</summary>
@@ -14,9 +16,7 @@ internal sealed class MeshShelf
     public MeshFile Read(string path)
     {
         if (_read.TryGetValue(path, out MeshFile? known))
-        {
             return known;
-        }
 
         MeshFile mesh = MeshFile.Read(path);
         _triangles += mesh.Triangles.Length / 3;

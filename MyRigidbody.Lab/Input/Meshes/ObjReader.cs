@@ -41,31 +41,23 @@ internal static class ObjReader
             {
                 int corner = Corner(ref words);
                 if (corners == 0)
-                {
                     first = corner;
-                }
                 else if (corners > 1)
-                {
                     mesh.Add(first, last, corner);
-                }
 
                 last = corner;
                 corners++;
             }
 
             if (corners < 3)
-            {
                 throw mesh.Wrong(words.Place, string.Create(CultureInfo.InvariantCulture, $"f must have at least three corners, found {corners}"));
-            }
         }
 
         int Corner(ref Words words)
         {
             // position/texture/normal; from 1, or backwards from the last
             if (!Utf8Parser.TryParse(words.Word, out int number, out int length) || (length < words.Word.Length && words.Word[length] != '/'))
-            {
                 throw mesh.Wrong(words.Place, $"a corner of f must be the number of a v, found {words.Shown}");
-            }
 
             long index = number < 0 ? vertices.Count + (long)number : number - 1L;
             return index >= 0 && index < vertices.Count

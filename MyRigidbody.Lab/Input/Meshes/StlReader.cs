@@ -62,9 +62,7 @@ internal static class StlReader
             {
                 Expect(ref words, "normal");
                 for (int i = 0; i < 3; i++)
-                {
                     Must(ref words, words.Next(), "a number");
-                }
 
                 Expect(ref words, "outer");
                 Expect(ref words, "loop");
@@ -78,9 +76,7 @@ internal static class StlReader
             Must(ref words, words.Is("endsolid"), "facet or endsolid");
             words.SkipLine();
             if (!words.Next())
-            {
                 return;
-            }
 
             Must(ref words, words.Is("solid"), "solid or the end of the file");
         }
@@ -105,9 +101,7 @@ internal static class StlReader
         void Must(ref Words words, bool isThere, string what)
         {
             if (!isThere)
-            {
                 throw mesh.Wrong(words.Place, $"must be {what}, found {words.Shown}");
-            }
         }
     }
 }

@@ -55,9 +55,7 @@ internal ref struct Words
             if (_rest[0] == '\n')
             {
                 if (inLine)
-                {
                     return false;
-                }
 
                 _line++;
             }
@@ -72,9 +70,7 @@ internal ref struct Words
 
         int length = 0;
         while (length < _rest.Length && !IsBlank(_rest[length]))
-        {
             length++;
-        }
 
         Word = _rest[..length];
         _rest = _rest[length..];

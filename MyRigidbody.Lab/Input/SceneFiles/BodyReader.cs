@@ -25,36 +25,24 @@ internal static class BodyReader
             | (fields.Or("canTurn", true, flag => flag.Flag()) ? Locks.None : Locks.Turn);
         bool isLabs = LabIntegrators.Contains(rule.Name), isUnitys = rule == Rules.UnityRigidbody;
         if (fields.OnlyIf(isLabs, "lab", $"is for {string.Join(" and ", LabIntegrators)} only, and this body moves by {rule.Name}") is Place lab)
-        {
             body.Lab = Lab(lab.Fields());
-        }
 
         if (fields.OnlyIf(isUnitys, "unity", $"is for UnityRigidbody only, and this body moves by {rule.Name}") is Place unity)
-        {
             body.Unity = Unity(unity.Fields());
-        }
 
         foreach (Place effect in fields.Optional("effects")?.List("a list of effects") ?? [])
-        {
             EffectReader.Read(effect, body);
-        }
 
         body = Pivot.Hold(fields, body, ref inertia);
         if (ManyBodies.Read(fields, body) is ManyBodies crowd)
-        {
             crowds[name] = crowd;
-        }
 
         fields.End();
         if (inertia.SolidBox != null)
-        {
             solidBoxes[name] = inertia.SolidBox;
-        }
 
         if (inertia.Notes.Count > 0)
-        {
             notes[name] = inertia.Notes;
-        }
 
         return body;
     }
@@ -80,14 +68,10 @@ internal static class BodyReader
             fields.Or("angularVelocity", Vector3d.Zero, place => place.Vector()));
         Place? inBody = fields.Optional("angularVelocityBody");
         if (inBody == null)
-        {
             return;
-        }
 
         if (fields.Optional("angularVelocity") != null)
-        {
             throw inBody.Value.Wrong("must not stand beside angularVelocity");
-        }
 
         body.AngularVelocityInBody = inBody.Value.Vector();
     }

@@ -61,20 +61,14 @@ internal static class EffectReader
         Place? from = fields.Optional("from"), to = fields.Optional("to");
         IReadOnlyList<(string Name, Place Place)> effects = fields.Rest();
         if (effects.Count != 1)
-        {
             throw place.Wrong($"must have exactly one effect, found {(effects.Count == 0 ? "none" : string.Join(", ", effects.Select(found => found.Name)))}; effects are {string.Join(", ", Names)}");
-        }
 
         (string name, Place effect) = effects[0];
         if (!Effects.TryGetValue(name, out Func<Form, Func<Window, BodyDescription>>? read))
-        {
             throw effect.Wrong("is not an effect; effects are " + string.Join(", ", Names));
-        }
 
         if (!HasWindow(name) && (from ?? to) is Place window)
-        {
             throw window.Wrong($"must not stand beside {name}, which says itself when it acts");
-        }
 
         Func<Window, BodyDescription> add = effect.Make(() => read(new FilledForm(effect)));
         place.Make(() => add(new Window(body, from?.Number() ?? 0, to?.Number() ?? double.PositiveInfinity)));

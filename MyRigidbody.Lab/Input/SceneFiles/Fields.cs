@@ -18,9 +18,7 @@ internal sealed class Fields
         _all = new (string, JsonElement)[place.Value.GetPropertyCount()];
         int i = 0;
         foreach (JsonProperty field in place.Value.EnumerateObject())
-        {
             _all[i++] = (field.Name, field.Value);
-        }
     }
 
     /// <summary>The place of the object.</summary>
@@ -39,9 +37,7 @@ internal sealed class Fields
         foreach ((string Name, JsonElement Value) field in _all)
         {
             if (field.Name == name)
-            {
                 return At(name, field.Value);
-            }
         }
 
         return null;
@@ -68,9 +64,7 @@ internal sealed class Fields
         foreach ((string name, JsonElement value) in _all)
         {
             if (!_known.Contains(name))
-            {
                 throw At(name, value).Wrong("is not a name known here; known are " + string.Join(", ", _known.Concat(alsoKnown).Distinct()));
-            }
         }
     }
 

@@ -1,4 +1,5 @@
 using RigidBodyDynamics.Lab.Meshes;
+using RigidBodyDynamics.Lab.Output;
 
 namespace RigidBodyDynamics.Lab;
 

@@ -44,15 +44,11 @@ internal sealed record Given(double Mass, Vector3d Center, Place? About, int Dep
     {
         double largest = Math.Max(moments.X, Math.Max(moments.Y, moments.Z)), excess = largest - (moments.X + moments.Y + moments.Z - largest);
         if (Shape is not Place shape || !(excess > Unsaid * largest))
-        {
             return null;
-        }
 
         Vector3d off = TypedDigits.OfMoments(HalfUnits(shape), inTyped);
         if (!(excess <= off.X + off.Y + off.Z) || !(moments.X > 0 && moments.Y > 0 && moments.Z > 0))
-        {
             return null;
-        }
 
         Vector3d nearest = MassProperties.NearestPossible(moments, off);
         Notes.Add(string.Create(CultureInfo.InvariantCulture, $"{shape.Path}: principal moment {largest:R} exceeds the sum of the other two by {excess:g2}, as roundings to these digits can do; taken as {nearest}"));

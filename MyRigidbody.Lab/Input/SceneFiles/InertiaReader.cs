@@ -1,3 +1,5 @@
+using RigidBodyDynamics.Lab.Output;
+
 namespace RigidBodyDynamics.Lab;
 
 /// <summary>
@@ -109,9 +111,7 @@ internal static class InertiaReader
         given.Shape = shape;
         MassProperties found = shape.Make(() => new FilledForm(fields).Object(kind.About, of => kind.Read(of, given)));
         if (mass != null && Math.Abs(found.Mass - given.Mass) > SameMass * given.Mass)
-        {
             throw mass.Value.Wrong(FormattableString.Invariant($"must be the sum of the masses, {found.Mass:R}, found {given.Mass:R}"));
-        }
 
         MassProperties? solid = given.SolidBox is MassProperties box ? Centered(box, center) : null;
         return new BodyInertia(Centered(found, center), solid, name, (kind.Beside & Beside.About) != 0, given.Notes);
@@ -121,14 +121,10 @@ internal static class InertiaReader
     {
         string[] names = [.. Names.Where(name => fields.Optional(name) != null)];
         if (names.Length == 1)
-        {
             return (names[0], Kinds[names[0]]);
-        }
 
         if (fields.Rest().Any(field => Robots.Contains(field.Name)))
-        {
             throw fields.Place.Wrong("""must name its six numbers "tensor": { "xx", "yy", "zz", "xy", "xz", "yz" }, found """ + string.Join(", ", fields.Rest().Select(field => field.Name)));
-        }
 
         fields.End("masses", "frame", "scale");
         throw fields.Place.Wrong($"must have exactly one of {string.Join(", ", Names)}, found {(names.Length == 0 ? "none" : string.Join(", ", names))}");
@@ -164,9 +160,7 @@ internal static class InertiaReader
     {
         Compound compound = new();
         foreach ((MassProperties mass, Vector3d position, Quaterniond orientation) in parts)
-        {
             compound.With(mass, position, orientation);
-        }
 
         return compound.ToMassProperties();
     }
@@ -174,9 +168,7 @@ internal static class InertiaReader
     private static void Refuse(Place? field, string why)
     {
         if (field is Place place)
-        {
             throw place.Wrong(why);
-        }
     }
 
     private static MassProperties Centered(MassProperties mass, Place? center) =>

@@ -1,5 +1,6 @@
 using System.Text.Json;
 using System.Text.Unicode;
+using RigidBodyDynamics.Lab.Output;
 
 namespace RigidBodyDynamics.Lab;
 
@@ -18,9 +19,7 @@ internal static class JsonFile
     {
         ArraySegment<byte> bytes = InputFile.Bytes(path), text = bytes.AsSpan().StartsWith("\uFEFF"u8) ? bytes[3..] : bytes;
         if (!Utf8.IsValid(text))
-        {
             throw new InputException($"{path}: is not text in UTF-8");
-        }
 
         try
         {

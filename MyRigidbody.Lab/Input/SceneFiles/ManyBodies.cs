@@ -23,21 +23,15 @@ internal sealed record ManyBodies(BodyDescription Body, int Count, Spread Spread
         fields.OnlyIf(count != null, "seed", "is for bodies with a count only");
         fields.OnlyIf(count != null, "spread", "is for bodies with a count only");
         if (count is not Place place)
-        {
             return null;
-        }
 
         long number = place.Count();
         if (number is < 1 or > Most)
-        {
             throw place.Not($"a number from 1 to {Most}");
-        }
 
         Spread spread = new() { Seed = fields.Or("seed", 0, seed => seed.Count()) };
         if (fields.Optional("spread") is Place differences)
-        {
             differences.Make(() => Read(differences.Fields(), spread));
-        }
 
         return new ManyBodies(body, (int)number, spread);
     }
@@ -48,9 +42,7 @@ internal sealed record ManyBodies(BodyDescription Body, int Count, Spread Spread
         Memory.MustHold("bodies", crowds.Values.Where(crowd => crowd.Count > Many).Sum(crowd => crowd.Bytes(scene.Steps)));
         Simulation simulation = new(new SceneDescription(scene.Name, scene.About, scene.Steps, [.. scene.Bodies.Where(body => !crowds.ContainsKey(body.Name))]));
         foreach (BodyDescription body in scene.Bodies.Where(body => crowds.ContainsKey(body.Name)))
-        {
             crowds[body.Name].AddTo(simulation);
-        }
 
         return simulation;
     }
@@ -84,9 +76,7 @@ internal sealed record ManyBodies(BodyDescription Body, int Count, Spread Spread
         body.Start = Spread.Of(Body.Start, number);
         // one with the orientation and ω of the middle body keeps exactly its numbers in body axes
         if (body.Start.Orientation == Body.Start.Orientation && body.Start.AngularVelocity == Body.Start.AngularVelocity)
-        {
             body.AngularVelocityInBody = Body.AngularVelocityInBody;
-        }
     }
 
     /// <summary>Their memory, measured on a few of their kind; columns grow by doubling, so half of it is unused.</summary>

@@ -28,9 +28,7 @@ internal static class Memory
     public static double OfStretches(BodyDescription body, TimeSteps steps)
     {
         if (body.Effects.Count < 2)
-        {
             return BytesOfStretch;
-        }
 
         // how many effects begin there, less those that end
         SortedDictionary<long, int> changes = [];

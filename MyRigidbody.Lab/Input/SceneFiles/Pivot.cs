@@ -31,31 +31,23 @@ internal static class Pivot
     {
         Place[] tops = [.. Tops(fields)];
         if (tops.Length == 0)
-        {
             return body;
-        }
 
         Place? named = tops.Select(top => top.Fields().Optional(Point)).FirstOrDefault(point => point != null);
         string? about = named?.Text(), taken = fields.Optional("about")?.Text();
         foreach (Place top in tops)
         {
             if (top.Fields().Optional(Point) is Place other && other.Text() != about)
-            {
                 throw other.Not($"\"{about}\" as in the body's other heavy top");
-            }
         }
 
         Vector3d center = inertia.Mass.CenterOfMass;
         bool isOff = !center.IsZero, mayBeOfPivot = inertia.IsOfNumbers && taken != "centerOfMass";
         if (taken == "origin" && about == "centerOfMass")
-        {
             throw named!.Value.Not("\"pivot\", since about is \"origin\", and the pivot is the origin");
-        }
 
         if (about == "pivot" && isOff && !mayBeOfPivot)
-        {
             throw named!.Value.Wrong($"must not be the pivot: {inertia.Kind} is about its centre of mass, which centerOfMass puts elsewhere, at {center}");
-        }
 
         if (about != "pivot" && !isOff && (about != null || !mayBeOfPivot))
         {
@@ -70,9 +62,7 @@ internal static class Pivot
         if (isOff)
         {
             foreach (Place top in tops)
-            {
                 MustPointTo(center, top);
-            }
         }
 
         if (about == null && taken != "origin")
@@ -97,8 +87,6 @@ internal static class Pivot
         double moment = top.Fields().Required("moment").Number();
         Vector3d down = moment < 0 ? -axis.Vector() : axis.Vector();
         if (Vector3d.Cross(down, center).Length > Aside * down.Length * center.Length || Vector3d.Dot(down, center) < 0)
-        {
             throw axis.Not($"along centerOfMass {center}, from the pivot, which is the body's origin");
-        }
     }
 }

@@ -1,5 +1,6 @@
 using System.Globalization;
 using System.Text.Json;
+using RigidBodyDynamics.Lab.Output;
 
 namespace RigidBodyDynamics.Lab;
 
@@ -127,9 +128,7 @@ internal readonly record struct Place(string File, Fields? Above, string Name, J
         BodyDescription bare = body.Copy(body.Name, body.Mass).Without(_ => true);
         int last = body.Effects.ToList().FindLastIndex(effect => effect.Motion is MassRate);
         foreach (Effect effect in body.Effects.Take(last + 1))
-        {
             _ = effect.Motion is MassRate ? bare.With(effect) : bare.With(new LinearDamping(0));
-        }
 
         return bare;
     }
@@ -170,9 +169,7 @@ internal readonly record struct Place(string File, Fields? Above, string Name, J
     {
         int i = 0;
         foreach (JsonElement element in list.Value.EnumerateArray())
-        {
             yield return list.Item(i++, element);
-        }
     }
 
     private Place Item(int i, JsonElement element) =>

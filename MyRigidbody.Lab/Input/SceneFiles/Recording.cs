@@ -1,4 +1,5 @@
 using System.Globalization;
+using RigidBodyDynamics.Lab.Output;
 
 namespace RigidBodyDynamics.Lab;
 
@@ -26,29 +27,21 @@ internal sealed record Recording(string Path, IReadOnlyList<float[]> Rows, bool 
     {
         string path = System.IO.Path.ChangeExtension(json, ".csv");
         if (!File.Exists(path))
-        {
             return new Recording(path, []);
-        }
 
         ArraySegment<byte> bytes = InputFile.Bytes(path);
         using StreamReader lines = new(new MemoryStream(bytes.Array!, bytes.Offset, bytes.Count));
         if (lines.ReadLine() != Header)
-        {
             throw new InputException($"{path}: line 1: must be {Header}");
-        }
 
         List<float[]> rows = new((int)steps + 1);
         for (int number = 2; lines.ReadLine() is string line; number++)
         {
             if (rows.Count > steps && line.Length > 0)
-            {
                 throw WrongCount("more");
-            }
 
             if (line.Length > 0)
-            {
                 rows.Add(Row(line, path, number));
-            }
         }
 
         return rows.Count > steps ? new Recording(path, rows) : throw WrongCount(rows.Count.ToString(CultureInfo.InvariantCulture));
@@ -64,18 +57,14 @@ internal sealed record Recording(string Path, IReadOnlyList<float[]> Rows, bool 
         float[] row = new float[Columns.Length + 2];
         int found = line.AsSpan().Count(',') + 1;
         if (found != row.Length + 2)
-        {
             throw new InputException($"{path}: line {number}: must have {row.Length + 2} numbers, found {found}");
-        }
 
         int i = -2;
         foreach (Range range in line.AsSpan().Split(','))
         {
             ReadOnlySpan<char> cell = line.AsSpan(range);
             if (i >= 0 && !(float.TryParse(cell, NumberStyles.Float, CultureInfo.InvariantCulture, out row[i]) && float.IsFinite(row[i])))
-            {
                 throw new InputException($"{path}: line {number}: must be finite numbers, found {Place.Shown(cell.ToString())} as {Header.Split(',')[i + 2]}");
-            }
 
             i++;
         }

@@ -34,9 +34,7 @@ internal static class RecordingReader
         bool usesGravity = fields.Required("useGravity").Flag();
         Gravity gravity = new(Vector(fields, "gravity"));
         if (usesGravity)
-        {
             body.With(gravity);
-        }
 
         fields.End();
         root.Check(body, steps, Called);
@@ -105,9 +103,7 @@ internal static class RecordingReader
         const double Rounding = 1.0 / (1 << 24);
         Vector3d off = Rounding * moments;
         if (!(off.X > 0 && off.Y > 0 && off.Z > 0))
-        {
             return moments;
-        }
 
         Vector3d nearest = MassProperties.NearestPossible(moments, off);
         return Math.Abs(nearest.X - moments.X) <= off.X ? nearest : moments;

@@ -1,4 +1,5 @@
 using System.Globalization;
+using RigidBodyDynamics.Lab.Output;
 
 namespace RigidBodyDynamics.Lab;
 
@@ -49,9 +50,7 @@ internal static class SceneReader
         {
             BodyDescription body = BodyReader.Read(place, solidBoxes, crowds, notes);
             if (!names.Add(body.Name))
-            {
                 throw place.Wrong($"name: must be unique in the scene, found \"{body.Name}\" again");
-            }
 
             place.Check(body, steps);
             bodies.Add(body);
@@ -62,15 +61,11 @@ internal static class SceneReader
         foreach (BodyDescription body in bodies)
         {
             if (NamedLike(body.Name, crowds) is string crowd)
-            {
                 throw list.Wrong($"name: must be unique in the scene, found \"{body.Name}\" again among those of \"{crowd}\"");
-            }
         }
 
         if (bodies.Count == 0)
-        {
             throw list.Wrong("must have at least one body");
-        }
 
         return new SceneFile(list.File, new SceneDescription(name, about, steps, bodies), crowds, solidBoxes, null) { Meshes = fields.Meshes.Files, Notes = notes };
     }
@@ -98,9 +93,7 @@ internal static class SceneReader
             foreach (Place? extra in new[] { duration, count })
             {
                 if (extra != null)
-                {
                     throw extra.Value.Wrong("must not stand beside a list of steps, which says it already");
-                }
             }
 
             double[] lengths = step.Numbers();

@@ -18,9 +18,7 @@ internal static class Frames
         long most = Math.Clamp(MostPoses / Math.Max(1, bodies), 2, Most);
         long stride = moments <= most ? 1 : (moments - 2) / (most - 1) + 1;
         for (long at = 0; at < moments - 1; at += stride)
-        {
             yield return at;
-        }
 
         yield return moments - 1;
     }

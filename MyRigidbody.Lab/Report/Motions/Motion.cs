@@ -95,9 +95,7 @@ internal sealed class Motion
             RunAway.MustBeFinite(simulation, file.Path);
             motion.At.Add(step);
             for (int i = 0; i < motion.Tracks.Count; i++)
-            {
                 motion.Tracks[i].States.Add(simulation.Bodies[i].State);
-            }
         }
 
         motion.Held = HeldBy(scene.Bodies, scene.Steps);

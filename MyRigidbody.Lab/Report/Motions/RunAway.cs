@@ -1,3 +1,5 @@
+using RigidBodyDynamics.Lab.Output;
+
 namespace RigidBodyDynamics.Lab.Report;
 
 /// <summary>The integration of a body has diverged: later states are meaningless, and no file contains them.</summary>

@@ -40,9 +40,7 @@ internal sealed class TrajectoryCsv(Stream stream) : IDisposable
         foreach (Body body in simulation.Bodies)
         {
             if (_count == _rows.Length)
-            {
                 WriteCollected();
-            }
 
             _rows[_count++] = new Row(body, CellOf(body), simulation.StepsDone, simulation.Time, body.State, body.IsAsleep);
         }
@@ -62,14 +60,10 @@ internal sealed class TrajectoryCsv(Stream stream) : IDisposable
     private byte[]? CellOf(Body body)
     {
         if (body.Tag != null)
-        {
             return null;
-        }
 
         if (!_names.TryGetValue(body.Name, out byte[]? cell))
-        {
             _names[body.Name] = cell = Cell(body);
-        }
 
         return cell;
     }
@@ -81,13 +75,9 @@ internal sealed class TrajectoryCsv(Stream stream) : IDisposable
         int count = _count, pieces = (count + RowsOfPiece - 1) / RowsOfPiece;
         _count = 0;
         if (pieces < 2)
-        {
             Format(0, count);
-        }
         else
-        {
             Parallel.For(0, pieces, piece => Format(piece, count));
-        }
 
         foreach (ArrayBufferWriter<byte> piece in _pieces)
         {
@@ -99,9 +89,7 @@ internal sealed class TrajectoryCsv(Stream stream) : IDisposable
     private void Format(int piece, int count)
     {
         for (int i = piece * RowsOfPiece; i < Math.Min(count, (piece + 1) * RowsOfPiece); i++)
-        {
             Write(_pieces[piece], _rows[i]);
-        }
     }
 
     private static void Write(ArrayBufferWriter<byte> to, in Row row)

@@ -3,6 +3,7 @@ using System.Runtime.InteropServices.JavaScript;
 using System.Text.Json.Nodes;
 using RigidBodyDynamics.Lab;
 using RigidBodyDynamics.Lab.Languages;
+using RigidBodyDynamics.Lab.Output;
 using RigidBodyDynamics.Lab.Report;
 
 namespace RigidBodyDynamics.Web.Play;

@@ -55,9 +55,7 @@ public sealed class CompareTests
         LabProcess.Run(folder.Path, "compare", scene, "--out", "b");
 
         foreach (string name in Written)
-        {
             Assert.That(File.ReadAllBytes(folder.File("b/" + name)).AsSpan().SequenceEqual(File.ReadAllBytes(folder.File("a/" + name))), Is.True, name);
-        }
     }
 
     [TestCaseSource(nameof(Compared))]

@@ -27,9 +27,7 @@ public sealed class CostTests
         foreach (string scene in cells.Select(row => row[0]).Distinct())
         {
             foreach (Rule row in Rules.All)
-            {
                 Assert.That(cells.Count(cell => cell[0] == scene && cell[1] == row.Name), Is.GreaterThanOrEqualTo(8), scene + " " + row.Name);
-            }
 
             string name = folder.File("out/cost-" + scene);
             Assert.That(File.ReadAllBytes(name + ".png").Take(4), Is.EqualTo(new byte[] { 0x89, (byte)'P', (byte)'N', (byte)'G' }));

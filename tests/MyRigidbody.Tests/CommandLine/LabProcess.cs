@@ -23,16 +23,12 @@ internal sealed record LabProcess(int ExitCode, string Output, string Error)
         };
         start.ArgumentList.Add(Path.Combine(AppContext.BaseDirectory, "MyRigidbody.Lab.dll"));
         foreach (string argument in arguments)
-        {
             start.ArgumentList.Add(argument);
-        }
 
         // the locale of the machine may be Chinese
         start.Environment["LC_ALL"] = "C";
         foreach ((string name, string value) in environment)
-        {
             start.Environment[name] = value;
-        }
 
         using Process process = Process.Start(start)!;
         process.StandardInput.Close();

@@ -47,9 +47,7 @@ public sealed class OverwritingTests
         Directory.CreateDirectory(folder.File("with-link"));
         File.WriteAllText(folder.File("old.csv"), "old");
         foreach ((string link, string target) in new[] { ("to-s.json", "s.json"), ("to-old.csv", "old.csv"), ("to-nothing.csv", "nothing"), ("loop.csv", "loop.csv"), ("with-link/summary.json", "../old.csv") })
-        {
             File.CreateSymbolicLink(folder.File(link), target);
-        }
 
         using (Process make = Process.Start("mkfifo", [folder.File("pipe.csv")]))
         {

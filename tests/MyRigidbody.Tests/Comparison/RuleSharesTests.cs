@@ -67,9 +67,7 @@ public sealed class RuleSharesTests
         SideBySide mine = new(TimeSteps.Until(0.5, 0.02), Lab(new Vector3d(1, 1, 1)).Mine);
         double sum = 0;
         while (mine.Step())
-        {
             sum += mine.Turned(0).Length;
-        }
 
         // twice mine's turn is missing to three times; the error of first-order orientation is at most 1e-5 of it
         Assert.That(inertia.Turn, Is.EqualTo(2 * sum / 25).Within(1e-5 * sum)); // measured 1.0e-6 of sum

@@ -3,7 +3,7 @@ using System.Globalization;
 using NUnit.Framework;
 using RigidBodyDynamics.Lab.Bench;
 
-namespace RigidBodyDynamics.Tests.Determinism;
+namespace RigidBodyDynamics.Tests;
 
 /// <summary>Unity's editor runs on Mono, so Mono must come to the same bits, and its times are of interest.</summary>
 public sealed class MonoTests

@@ -1,12 +1,12 @@
 using System.Text;
 using NUnit.Framework;
 using RigidBodyDynamics.Judging;
-using RigidBodyDynamics.Lab;
 using RigidBodyDynamics.Lab.Grading;
 using RigidBodyDynamics.Lab.Grading.Export;
 using RigidBodyDynamics.Lab.Grading.Marks;
 using RigidBodyDynamics.Lab.Grading.Reading;
 using RigidBodyDynamics.Lab.Grading.Students;
+using RigidBodyDynamics.Lab.Output;
 using RigidBodyDynamics.Tests.CommandLine;
 
 namespace RigidBodyDynamics.Tests.Grading;

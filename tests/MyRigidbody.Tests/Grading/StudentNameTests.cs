@@ -1,7 +1,7 @@
 using System.Text;
 using NUnit.Framework;
-using RigidBodyDynamics.Lab;
 using RigidBodyDynamics.Lab.Grading.Students;
+using RigidBodyDynamics.Lab.Output;
 using RigidBodyDynamics.StudentScripts;
 
 namespace RigidBodyDynamics.Tests.Grading;

@@ -5,6 +5,7 @@ using CsCheck;
 using NUnit.Framework;
 using RigidBodyDynamics.Lab;
 using RigidBodyDynamics.Lab.Inertia;
+using RigidBodyDynamics.Lab.Output;
 using RigidBodyDynamics.Tests.CommandLine;
 using RigidBodyDynamics.Tests.Repository;
 

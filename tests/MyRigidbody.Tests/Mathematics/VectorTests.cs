@@ -70,9 +70,7 @@ public sealed class VectorTests
     {
         Assert.That(new Vector3d(double.MaxValue, -double.MaxValue, 5e-324).IsFinite, Is.True);
         foreach (double bad in new[] { double.NaN, double.PositiveInfinity, double.NegativeInfinity })
-        {
             Assert.That(new Vector3d(bad, 0, 0).IsFinite || new Vector3d(0, bad, 0).IsFinite || new Vector3d(0, 0, bad).IsFinite, Is.False);
-        }
     }
 
     [Test]

@@ -3,6 +3,7 @@ using CsCheck;
 using NUnit.Framework;
 using RigidBodyDynamics.Lab;
 using RigidBodyDynamics.Lab.Meshes;
+using RigidBodyDynamics.Lab.Output;
 using RigidBodyDynamics.Tests.CommandLine;
 using RigidBodyDynamics.Tests.SceneFiles;
 

@@ -35,14 +35,10 @@ public sealed partial class OutputLayerTests
         Harmless(lab.Error);
         Assert.That(lab.Output, Does.Contain(@"\u001b").IgnoreCase.And.Contain("error: forged"));
         foreach (string file in Directory.EnumerateFiles(folder.Path, "*", SearchOption.AllDirectories).Where(file => Path.GetExtension(file) is ".csv" or ".json" && Path.GetFileName(file) != "scene.json"))
-        {
             Harmless(File.ReadAllText(file));
-        }
 
         foreach (string picture in Directory.EnumerateFiles(folder.Path, "*.svg", SearchOption.AllDirectories))
-        {
             Assert.That(() => System.Xml.Linq.XDocument.Load(picture), Throws.Nothing, picture);
-        }
     }
 
     [TestCase("run", "\u001b[31m\nerror: forged.json")]

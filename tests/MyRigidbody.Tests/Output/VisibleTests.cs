@@ -1,6 +1,5 @@
 using System.Text.Json;
 using NUnit.Framework;
-using RigidBodyDynamics.Lab;
 using RigidBodyDynamics.Lab.Output;
 
 namespace RigidBodyDynamics.Tests.Output;
@@ -36,9 +35,7 @@ public sealed class VisibleTests
         for (int code = 0; code < 0xA0; code++)
         {
             if (code is < 0x20 or >= 0x7F)
-            {
                 Assert.That(Visible.Line(((char)code).ToString()), Has.Length.EqualTo(6), $"U+{code:X4}");
-            }
         }
     }
 

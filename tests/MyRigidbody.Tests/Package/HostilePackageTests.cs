@@ -3,7 +3,7 @@ using System.Globalization;
 using System.IO.Compression;
 using System.Text;
 using NUnit.Framework;
-using RigidBodyDynamics.Lab;
+using RigidBodyDynamics.Lab.Output;
 using RigidBodyDynamics.Lab.Package;
 using RigidBodyDynamics.Tests.CommandLine;
 

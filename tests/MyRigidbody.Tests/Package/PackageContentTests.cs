@@ -1,7 +1,7 @@
 using System.Text;
 using System.Text.RegularExpressions;
 using NUnit.Framework;
-using RigidBodyDynamics.Lab;
+using RigidBodyDynamics.Lab.Output;
 using RigidBodyDynamics.Lab.Package;
 using RigidBodyDynamics.Tests.CommandLine;
 using RigidBodyDynamics.Tests.Repository;

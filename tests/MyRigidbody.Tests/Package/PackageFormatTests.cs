@@ -1,6 +1,7 @@
 using System.IO.Compression;
 using System.Text;
 using NUnit.Framework;
+using RigidBodyDynamics.Lab.Output;
 using RigidBodyDynamics.Lab.Package;
 using RigidBodyDynamics.Tests.CommandLine;
 using RigidBodyDynamics.Tests.Repository;
@@ -90,7 +91,7 @@ public sealed class PackageFormatTests
         {
             PackageReader.Read(folder.File("a.unitypackage"));
         }
-        catch (Lab.InputException refused)
+        catch (InputException refused)
         {
             Assert.That(refused.Message, Does.Not.Contain("\n").And.Contain("a.unitypackage"));
         }

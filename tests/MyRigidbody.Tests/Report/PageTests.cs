@@ -117,9 +117,7 @@ public sealed partial class PageTests
     {
         IElement copy = (IElement)element.Clone();
         foreach (IElement other in copy.QuerySelectorAll("[lang=zh]").ToArray())
-        {
             other.Remove();
-        }
 
         return copy.TextContent.Trim();
     }

@@ -14,9 +14,7 @@ internal static class Root
     {
         DirectoryInfo? folder = new(start);
         while (folder != null && !System.IO.File.Exists(System.IO.Path.Combine(folder.FullName, "MyRigidbody.sln")))
-        {
             folder = folder.Parent;
-        }
 
         return folder?.FullName;
     }

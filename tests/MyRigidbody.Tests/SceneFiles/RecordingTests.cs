@@ -1,5 +1,6 @@
 using NUnit.Framework;
 using RigidBodyDynamics.Lab;
+using RigidBodyDynamics.Lab.Output;
 using RigidBodyDynamics.Tests.CommandLine;
 
 namespace RigidBodyDynamics.Tests.SceneFiles;

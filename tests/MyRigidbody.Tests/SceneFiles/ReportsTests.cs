@@ -1,5 +1,6 @@
 using NUnit.Framework;
 using RigidBodyDynamics.Lab;
+using RigidBodyDynamics.Lab.Output;
 
 namespace RigidBodyDynamics.Tests.SceneFiles;
 

@@ -1,6 +1,7 @@
 using System.Globalization;
 using NUnit.Framework;
 using RigidBodyDynamics.Lab;
+using RigidBodyDynamics.Lab.Output;
 using RigidBodyDynamics.Tests.CommandLine;
 
 namespace RigidBodyDynamics.Tests.SceneFiles;
@@ -59,9 +60,7 @@ public sealed class SceneReaderTests
         Wrench wrench = default;
         BodyDescription a = scene.Bodies[0];
         foreach (IPush push in a.Effects.Select(effect => effect.Motion).OfType<IPush>().Where(push => push is Force or KeyPush or Torque).Take(3))
-        {
             push.At(new Instant(0, 0.5), BodyState.AtRest, a.Mass, ref wrench);
-        }
 
         Assert.That(wrench.Force, Is.EqualTo(new Vector3d(1, 5, 0)));
         Assert.That(wrench.BodyTorque.X, Is.EqualTo(1));

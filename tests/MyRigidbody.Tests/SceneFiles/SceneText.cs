@@ -1,6 +1,7 @@
 using System.Text.Json;
 using System.Text.Json.Nodes;
 using RigidBodyDynamics.Lab;
+using RigidBodyDynamics.Lab.Output;
 using RigidBodyDynamics.Tests.CommandLine;
 
 namespace RigidBodyDynamics.Tests.SceneFiles;

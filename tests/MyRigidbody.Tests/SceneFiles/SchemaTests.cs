@@ -104,9 +104,7 @@ public sealed class SchemaTests
             string text = scene.ToJsonString(), error = SceneText.Error(text);
             bool isValid = Schema.Validate(text).Count == 0;
             if (!OnlyTheReaderKnows.Any(error.Contains))
-            {
                 Assert.That(error.Length == 0, Is.EqualTo(isValid), $"{path} = {value?.ToJsonString() ?? "null"}: {error}");
-            }
 
             accepted += error.Length == 0 ? 1 : 0;
             refused += error.Length > 0 ? 1 : 0;
@@ -139,9 +137,7 @@ public sealed class SchemaTests
         if (node is JsonArray array)
         {
             foreach (JsonNode? item in array)
-            {
                 Collect(item, names, onlyProperties);
-            }
         }
         else if (node is JsonObject fields)
         {
@@ -149,20 +145,14 @@ public sealed class SchemaTests
             {
                 bool holdsNames = onlyProperties && name == "properties";
                 if (!onlyProperties)
-                {
                     names.Add(name);
-                }
                 else if (holdsNames)
-                {
                     names.UnionWith(value!.AsObject().Select(field => field.Key));
-                }
 
                 if (holdsNames)
                 {
                     foreach ((string _, JsonNode? inner) in value!.AsObject())
-                    {
                         Collect(inner, names, onlyProperties);
-                    }
                 }
                 else
                 {

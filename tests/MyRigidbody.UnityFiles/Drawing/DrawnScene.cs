@@ -35,9 +35,7 @@ public sealed record DrawnScene(Viewpoint View, MattShading Shading, IReadOnlyLi
     {
         DirectoryInfo? folder = new FileInfo(scene).Directory;
         while (folder != null && folder.Name != "Assets")
-        {
             folder = folder.Parent;
-        }
 
         return folder?.FullName ?? throw new FormatException($"{scene}: is not in a folder Assets");
     }

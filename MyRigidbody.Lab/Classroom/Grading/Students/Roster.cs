@@ -2,6 +2,7 @@ using System.Globalization;
 using System.Text.RegularExpressions;
 using CsvHelper;
 using CsvHelper.Configuration;
+using RigidBodyDynamics.Lab.Output;
 using RigidBodyDynamics.StudentScripts;
 
 namespace RigidBodyDynamics.Lab.Grading.Students;

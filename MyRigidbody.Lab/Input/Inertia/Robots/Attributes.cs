@@ -1,5 +1,6 @@
 using System.Globalization;
 using System.Xml.Linq;
+using RigidBodyDynamics.Lab.Output;
 
 namespace RigidBodyDynamics.Lab.Inertia.Robots;
 
@@ -30,17 +31,13 @@ internal sealed record Attributes(string File)
     {
         string[] words = text.Split((char[]?)null, StringSplitOptions.RemoveEmptyEntries);
         if (words.Length < fewest || words.Length > most)
-        {
             throw Wrong(element, $"{name} must have {(fewest == most ? $"{fewest}" : $"{fewest} to {most}")} number{(most == 1 ? string.Empty : "s")}, found \"{Shown(text)}\"{Xacro(text)}");
-        }
 
         double[] numbers = new double[words.Length];
         for (int i = 0; i < words.Length; i++)
         {
             if (!double.TryParse(words[i], NumberStyles.Float, CultureInfo.InvariantCulture, out numbers[i]) || !double.IsFinite(numbers[i]))
-            {
                 throw Wrong(element, $"{name} must have finite numbers, found \"{Shown(words[i])}\"{Xacro(text)}");
-            }
         }
 
         return numbers;

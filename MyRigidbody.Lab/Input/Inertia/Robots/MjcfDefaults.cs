@@ -37,9 +37,7 @@ internal sealed class MjcfDefaults
 
         _classes[name] = own;
         foreach (XElement inner in of.Elements("default"))
-        {
             Read(inner, own, inner.Attribute("class")?.Value ?? string.Empty);
-        }
     }
 
     private static XElement Over(XElement below, XElement above)
@@ -50,9 +48,7 @@ internal sealed class MjcfDefaults
         foreach (XAttribute attribute in below.Attributes())
         {
             if (both.Attribute(attribute.Name) == null && !(isTurned && MjcfTurns.Names.Contains(attribute.Name.LocalName)))
-            {
                 both.Add(new XAttribute(attribute));
-            }
         }
 
         return both;

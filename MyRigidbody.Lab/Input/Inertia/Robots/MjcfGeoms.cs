@@ -36,9 +36,7 @@ internal sealed class MjcfGeoms
         {
             string? file = mesh.Attribute("file")?.Value;
             if ((mesh.Attribute("name")?.Value ?? Path.GetFileNameWithoutExtension(file)) is string name)
-            {
                 _assets[name] = defaults.With(mesh);
-            }
         }
     }
 
@@ -49,14 +47,10 @@ internal sealed class MjcfGeoms
         XElement full = geom.Full;
         string type = full.Attribute("type")?.Value ?? (full.Attribute("mesh") != null ? "mesh" : "sphere");
         if (type is "plane" or "hfield")
-        {
             return null;
-        }
 
         if (full.Attribute("shellinertia")?.Value == "true")
-        {
             throw new OmittedException("shellinertia=\"true\" is not understood");
-        }
 
         double[] size = full.Attribute("size") == null ? [] : _attributes.Numbers(full, "size", 1, 3)!;
         Vector3d position = _attributes.Vector(full, "pos") ?? Vector3d.Zero;
@@ -82,14 +76,10 @@ internal sealed class MjcfGeoms
     {
         int needed = type switch { "sphere" => 1, "capsule" or "cylinder" => 2, "box" or "ellipsoid" => 3, _ => throw new OmittedException($"type=\"{type}\" is not understood") };
         if (geom.Full.Attribute("mesh") != null)
-        {
             throw new OmittedException($"a {type} that is fitted to a mesh is not understood");
-        }
 
         if (size.Length < needed)
-        {
             throw _attributes.Wrong(geom.Element, $"size of a {type} must have {needed} number{(needed > 1 ? "s" : string.Empty)}, found {size.Length}");
-        }
 
         return type switch
         {
@@ -105,14 +95,10 @@ internal sealed class MjcfGeoms
     {
         string name = full.Attribute("mesh")?.Value ?? throw _attributes.Wrong(geom.Element, "mesh is missing");
         if (!_assets.TryGetValue(name, out XElement? asset) || asset.Attribute("file")?.Value is not string file)
-        {
             throw new OmittedException($"mesh \"{name}\" has no file among the assets");
-        }
 
         if (asset.Attribute("refpos") != null || asset.Attribute("refquat") != null || asset.Attribute("inertia")?.Value == "shell")
-        {
             throw new OmittedException($"mesh \"{name}\" has refpos, refquat or inertia=\"shell\", which are not understood");
-        }
 
         string path = Path.Combine(_meshFolder, _stripPath ? Path.GetFileName(file) : file);
         return _meshes.Shape(path, _attributes.Vector(asset, "scale") ?? new Vector3d(1, 1, 1));

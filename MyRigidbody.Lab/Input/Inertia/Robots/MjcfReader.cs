@@ -1,4 +1,5 @@
 using System.Xml.Linq;
+using RigidBodyDynamics.Lab.Output;
 
 namespace RigidBodyDynamics.Lab.Inertia.Robots;
 
@@ -23,9 +24,7 @@ internal sealed class MjcfReader
     {
         (_file, _mujoco, _attributes) = (file, mujoco, new Attributes(file));
         if (Compiler("coordinate", "local") != "local")
-        {
             throw new InputException($"{file}: compiler coordinate=\"{Compiler("coordinate", "local")}\" is not understood; MuJoCo has given it up, too: save the model anew");
-        }
 
         _defaults = new MjcfDefaults(mujoco);
         _turns = new MjcfTurns(_attributes, Compiler("angle", "degree") != "radian", Compiler("eulerseq", "xyz"));
@@ -36,15 +35,11 @@ internal sealed class MjcfReader
         foreach ((string name, string off) in new[] { ("settotalmass", "-1"), ("boundmass", "0"), ("boundinertia", "0"), ("balanceinertia", "false"), ("discardvisual", "false"), ("fusestatic", "false") })
         {
             if (Compiler(name, off) is string set && set != off)
-            {
                 _notes.Add($"compiler {name}=\"{set}\" is not applied: the numbers are those before it");
-            }
         }
 
         foreach (XElement element in mujoco.Descendants().Where(element => Elsewhere.Contains(element.Name.LocalName)).Take(5))
-        {
             _notes.Add($"{XmlFile.Line(element)}: <{element.Name.LocalName}{(element.Attribute("file") is XAttribute named ? $" file=\"{named.Value}\"" : string.Empty)}> is not followed: bodies that come from there are not listed");
-        }
     }
 
     /// <summary>Notes about the whole file.</summary>
@@ -55,9 +50,7 @@ internal sealed class MjcfReader
     {
         List<DescribedBody> bodies = [];
         foreach (XElement world in _mujoco.Elements("worldbody"))
-        {
             Bodies(world, world.Attribute("childclass")?.Value, bodies);
-        }
 
         return bodies;
     }
@@ -71,9 +64,7 @@ internal sealed class MjcfReader
             {
                 string? inner = child.Attribute("childclass")?.Value ?? inherited;
                 if (child.Name.LocalName == "body")
-                {
                     bodies.Add(Body(child, inner, bodies.Count + 1));
-                }
 
                 Bodies(child, inner, bodies);
             }
@@ -88,19 +79,13 @@ internal sealed class MjcfReader
         DescribedBody body = new(element.Attribute("name")?.Value ?? $"body {number}", XmlFile.Line(element)) { Notes = notes, Faults = faults };
         XElement? inertial = element.Elements("inertial").FirstOrDefault();
         if (inertial != null && _fromGeoms != "true")
-        {
             return Given(body with { Geometry = Looks(geoms, notes) }, inertial, faults);
-        }
 
         if (inertial != null)
-        {
             notes.Add("compiler inertiafromgeom=\"true\": its inertial is not used");
-        }
 
         if (_fromGeoms == "false")
-        {
             return body;
-        }
 
         Geometry whole = new();
         foreach (MjcfGeom geom in geoms.Where(geom => geom.Group >= _groups[0] && geom.Group <= _groups[1]))
@@ -108,9 +93,7 @@ internal sealed class MjcfReader
             try
             {
                 if (_geoms.Solid(geom) is (Shape shape, double density, Vector3d position, Quaterniond turn))
-                {
                     whole.Add(shape, position, turn, density);
-                }
             }
             catch (ArgumentException refused)
             {
@@ -123,9 +106,7 @@ internal sealed class MjcfReader
         }
 
         if (whole.Count == 0)
-        {
             return body;
-        }
 
         try
         {
@@ -144,18 +125,14 @@ internal sealed class MjcfReader
         Vector3d center = _attributes.Vector(inertial, "pos") ?? throw _attributes.Wrong(inertial, "pos is missing");
         double[]? diagonal = _attributes.Numbers(inertial, "diaginertia", 3, 3), full = _attributes.Numbers(inertial, "fullinertia", 6, 6);
         if ((diagonal == null) == (full == null))
-        {
             throw _attributes.Wrong(inertial, diagonal == null ? "diaginertia or fullinertia is missing" : "diaginertia and fullinertia exclude each other");
-        }
 
         double[] n = full ?? [.. diagonal!, 0, 0, 0];
         string written = inertial.Attribute(full != null ? "fullinertia" : "diaginertia")!.Value;
         double[] half = [.. TypedDigits.HalfUnits(written.Split((char[]?)null, StringSplitOptions.RemoveEmptyEntries)), 0, 0, 0];
         Quaterniond axes = _turns.Of(inertial);
         if (full != null && axes != Quaterniond.Identity)
-        {
             faults.Add(new Finding("full-and-turned", Severity.Wrong, "fullinertia stands beside an orientation, and MuJoCo refuses that: fullinertia has the axes in it"));
-        }
 
         return body with { Mass = mass, Center = center, Axes = axes, Tensor = UrdfReader.Tensor(n), HalfDigits = UrdfReader.Tensor(half), Listed = full };
     }
@@ -173,9 +150,7 @@ internal sealed class MjcfReader
             {
                 Vector3d at = position + turn.Rotate(_attributes.Vector(child, "pos") ?? Vector3d.Zero);
                 foreach (MjcfGeom geom in Geoms(child, child.Attribute("childclass")?.Value ?? childClass, at, turn * _turns.Of(child)))
-                {
                     yield return geom;
-                }
             }
         }
     }
@@ -190,9 +165,7 @@ internal sealed class MjcfReader
             try
             {
                 if (_geoms.Solid(geom) is (Shape shape, _, Vector3d position, Quaterniond turn))
-                {
                     all.Add(shape, position, turn);
-                }
             }
             catch (ArgumentException refused)
             {

@@ -18,14 +18,10 @@ internal sealed class MjcfTurns(Attributes attributes, bool inDegrees, string se
     {
         string[] said = [.. Names.Where(name => element.Attribute(name) != null)];
         if (said.Length > 1)
-        {
             throw attributes.Wrong(element, $"{said[0]} and {said[1]} exclude each other");
-        }
 
         if (said.Length == 0)
-        {
             return Quaterniond.Identity;
-        }
 
         double[] n = attributes.Numbers(element, said[0], 1, 6)!;
         Quaterniond turn = (said[0], n.Length) switch

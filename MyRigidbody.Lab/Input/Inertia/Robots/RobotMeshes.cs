@@ -1,4 +1,5 @@
 using RigidBodyDynamics.Lab.Meshes;
+using RigidBodyDynamics.Lab.Output;
 
 namespace RigidBodyDynamics.Lab.Inertia.Robots;
 
@@ -19,16 +20,12 @@ internal sealed class RobotMeshes(string file)
     {
         string path = Found(name);
         if (_shapes.TryGetValue((path, scale), out Shape? known))
-        {
             return known;
-        }
 
         MeshFile mesh = Solid(() => _read.Read(path));
         _triangles += mesh.Triangles.Length / 3;
         if (_triangles > MostTriangles)
-        {
             throw new OmittedException($"{file}: its meshes have more than {MostTriangles / 1_000_000} million triangles together");
-        }
 
         return _shapes[(path, scale)] = Solid(() => Inertia.Shape.Mesh(mesh.Scaled(scale)));
     }
@@ -52,15 +49,11 @@ internal sealed class RobotMeshes(string file)
         string folder = Path.GetDirectoryName(Path.GetFullPath(file)) ?? ".";
         int scheme = name.IndexOf("://", StringComparison.Ordinal);
         if (scheme < 0)
-        {
             return Path.Combine(folder, name);
-        }
 
         string rest = name[(scheme + 3)..];
         if (name.StartsWith("file", StringComparison.Ordinal))
-        {
             return rest;
-        }
 
         string inPackage = rest[(rest.IndexOf('/', StringComparison.Ordinal) + 1)..];
         string? above = folder;
@@ -69,9 +62,7 @@ internal sealed class RobotMeshes(string file)
             foreach (string candidate in new[] { Path.Combine(above, rest), Path.Combine(above, inPackage) })
             {
                 if (File.Exists(candidate))
-                {
                     return candidate;
-                }
             }
         }
 

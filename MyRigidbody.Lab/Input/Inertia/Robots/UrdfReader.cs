@@ -21,9 +21,7 @@ internal sealed class UrdfReader(string file)
         string name = link.Attribute("name")?.Value ?? "(a link without a name)";
         DescribedBody body = new(name, XmlFile.Line(link));
         if (Child(link, "inertial") is not XElement inertial)
-        {
             return body;
-        }
 
         List<string> notes = [];
         List<Finding> faults = [];
@@ -31,9 +29,7 @@ internal sealed class UrdfReader(string file)
         XElement mass = Child(inertial, "mass") ?? throw _attributes.Wrong(inertial, "mass is missing");
         XElement inertia = Child(inertial, "inertia") ?? throw _attributes.Wrong(inertial, "inertia is missing");
         if (!Elements.Any(element => inertia.Attribute(element) != null))
-        {
             throw _attributes.Wrong(inertia, "ixx is missing");
-        }
 
         double[] n = [.. Elements.Select((element, i) => i < 3 ? _attributes.Number(inertia, element) : _attributes.Number(inertia, element, 0))];
         double[] half = TypedDigits.HalfUnits([.. Elements.Select(element => inertia.Attribute(element)?.Value.Trim() ?? string.Empty)]);
@@ -57,9 +53,7 @@ internal sealed class UrdfReader(string file)
     {
         Vector3d rpy = _attributes.Vector(origin, "rpy") ?? Vector3d.Zero;
         if (Math.Max(Math.Abs(rpy.X), Math.Max(Math.Abs(rpy.Y), Math.Abs(rpy.Z))) > (2 * Math.PI) + 1e-3)
-        {
             faults.Add(new Finding("degrees", Severity.Doubtful, $"rpy is {rpy}, more than a whole revolution: URDF wants radians, and these may be degrees"));
-        }
 
         Quaterniond turn = About(new Vector3d(0, 0, 1), rpy.Z) * About(new Vector3d(0, 1, 0), rpy.Y) * About(new Vector3d(1, 0, 0), rpy.X);
         return (_attributes.Vector(origin, "xyz") ?? Vector3d.Zero, turn);

@@ -1,6 +1,7 @@
 using System.Globalization;
 using System.Xml;
 using System.Xml.Linq;
+using RigidBodyDynamics.Lab.Output;
 
 namespace RigidBodyDynamics.Lab.Inertia.Robots;
 
@@ -21,9 +22,7 @@ internal static class XmlFile
                 for (int nodes = 0; limits.Read(); nodes += 1 + limits.AttributeCount)
                 {
                     if (limits.Depth > MostDepth || nodes > MostNodes)
-                    {
                         throw Wrong(path, (IXmlLineInfo)limits, limits.Depth > MostDepth ? $"elements go deeper than {MostDepth}" : $"has more than {MostNodes} elements and attributes");
-                    }
                 }
             }
 
