@@ -20,7 +20,8 @@ internal sealed record CostDiagrams(IReadOnlyList<CostFindings> Found) : Section
         /// <summary>What it is, with what it was compared, and how exactly that can be had.</summary>
         public Word About => new(Before(found.Motion.Scene.About, ". ") + Origin.En, Before(Words.Said(found.Motion.Scene.About).Zh, "。") + Origin.Zh);
 
-        private Word Origin => Words.All["cost.origin"].With(Truth, CostTables.Error(found.Motion.Truth.Floor));
+        /// <summary>The reference of the comparison, and its uncertainty.</summary>
+        public Word Origin => Words.All["cost.origin"].With(Truth, CostTables.Error(found.Motion.Truth.Floor));
 
         private static string Before(string text, string stop) => text.Length > 0 ? text + stop : text;
 
