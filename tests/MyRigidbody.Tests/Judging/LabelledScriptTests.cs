@@ -1,7 +1,6 @@
 using System.Text.Json;
 using NUnit.Framework;
 using RigidBodyDynamics.Judging;
-using RigidBodyDynamics.StudentScripts;
 
 namespace RigidBodyDynamics.Tests.Judging;
 
@@ -13,17 +12,16 @@ internal sealed class LabelledScriptTests
     [Test]
     public void Verdict_steps_and_mistakes_are_as_labelled()
     {
-        using ScriptRunner runner = new();
         using JsonDocument labels = JsonDocument.Parse(File.ReadAllText(TestData.Path("submissions", "labels.json")));
-        string[] others = [.. labels.RootElement.EnumerateArray().Where(l => ThatRun.Contains(l.GetProperty("category").GetString())).Select(l => Difference(l, runner)).OfType<string>()];
+        string[] others = [.. labels.RootElement.EnumerateArray().Where(l => ThatRun.Contains(l.GetProperty("category").GetString())).Select(l => Difference(l)).OfType<string>()];
         Assert.That(others, Is.Empty);
     }
 
     /// <summary>The differences of the verdict from the label.</summary>
-    private static string? Difference(JsonElement label, ScriptRunner runner)
+    private static string? Difference(JsonElement label)
     {
         string file = label.GetProperty("file").GetString()!;
-        Verdict verdict = runner.Run([new ScriptFile("MyRigidbody.cs", File.ReadAllBytes(TestData.Path(["submissions", .. file.Split('/')])))]).Verdict;
+        Verdict verdict = StudentScripts.LabelledScriptTests.Report(file).Verdict;
         IEnumerable<int> steps = Verdict.FiveSteps.Where(s => verdict[s] != Mark.Right).Select(s => (int)s);
         IEnumerable<string> codes = verdict.Findings.Select(f => f.Code);
         bool isAsLabelled = verdict.Outcome.ToString().ToLowerInvariant() == label.GetProperty("verdict").GetString()

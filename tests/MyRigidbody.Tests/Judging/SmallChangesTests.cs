@@ -1,19 +1,18 @@
 using NUnit.Framework;
 using RigidBodyDynamics.Judging;
 using RigidBodyDynamics.StudentScripts;
+using RigidBodyDynamics.Tests.StudentScripts;
 
 namespace RigidBodyDynamics.Tests.Judging;
 
 /// <summary>
 /// Right scripts of the sample, changed in one place by a program. A change of the motion must be found, any other must not be flagged.
 /// Of 1252 changes 1167 run to their end: 776 make a difference, 391 make none. A few by default; all with
-/// MYRIGIDBODY_ALL_CHANGES=1, which takes twenty minutes.
+/// MYRIGIDBODY_SEARCH=all, which takes twenty minutes.
 /// </summary>
 internal sealed class SmallChangesTests
 {
     private const int One = 100;
-
-    private static readonly bool All = Environment.GetEnvironmentVariable("MYRIGIDBODY_ALL_CHANGES") == "1";
 
     [TestCase("210840007_学生一")]
     [TestCase("210840014_学生二")]
@@ -23,13 +22,12 @@ internal sealed class SmallChangesTests
     public void A_small_change_is_found_if_and_only_if_it_makes_a_difference(string student)
     {
         string text = File.ReadAllText(TestData.Path("submissions", "class", student, "MyRigidbody.cs"));
-        using ScriptRunner runner = new();
-        Recording right = Run(runner, text).Recording!;
+        Recording right = Runner.Run(text).Recording!;
         List<string> wrong = [];
         int tried = 0, differing = 0;
-        foreach ((string name, string changed) in SmallChanges.Of(text).Where((_, i) => All || i % One == 0))
+        foreach ((string name, string changed) in SmallChanges.Of(text).Where((_, i) => Search.IsAll || i % One == 0))
         {
-            ScriptReport report = Run(runner, changed);
+            ScriptReport report = Runner.Run(changed);
             if (report.Recording == null)
                 continue;
             tried++;
@@ -42,6 +40,4 @@ internal sealed class SmallChangesTests
         TestContext.Out.WriteLine($"of {SmallChanges.Of(text).Count()} changes {tried} run to their end, {differing} make a difference");
         Assert.That(wrong, Is.Empty);
     }
-
-    private static ScriptReport Run(ScriptRunner runner, string text) => runner.Run([new ScriptFile("MyRigidbody.cs", System.Text.Encoding.UTF8.GetBytes(text))]);
 }

@@ -1,26 +1,19 @@
-using System.Text;
 using NUnit.Framework;
 using RigidBodyDynamics.Judging;
-using RigidBodyDynamics.StudentScripts;
+using RigidBodyDynamics.Tests.StudentScripts;
 
 namespace RigidBodyDynamics.Tests.Judging;
 
 /// <summary>
-/// 72 right, 172 wrong and 15 doubtful ways to write the lab's script. Every tenth by default; all with MYRIGIDBODY_ALL_CHANGES=1,
+/// 72 right, 172 wrong and 15 doubtful ways to write the lab's script. Every tenth by default; all with MYRIGIDBODY_SEARCH=all,
 /// which takes three minutes.
 /// </summary>
 internal sealed class VariationTests
 {
     private const int One = 10;
 
-    private static readonly bool All = Environment.GetEnvironmentVariable("MYRIGIDBODY_ALL_CHANGES") == "1";
-
     private static readonly Lazy<(Variation Script, Verdict Verdict)[]> Judged = new(() =>
-    {
-        using ScriptRunner runner = new();
-        return [.. Variation.All().Where((_, i) => All || i % One == 0)
-            .Select(script => (script, runner.Run([new ScriptFile("MyRigidbody.cs", Encoding.UTF8.GetBytes(script.Text))]).Verdict))];
-    });
+        [.. Variation.All().Where((_, i) => Search.IsAll || i % One == 0).Select(script => (script, Runner.Run(script.Text).Verdict))]);
 
     [Test]
     public void Every_script_is_called_what_it_is() =>

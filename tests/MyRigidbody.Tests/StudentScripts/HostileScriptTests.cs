@@ -1,6 +1,7 @@
 using System.Diagnostics;
 using NUnit.Framework;
 using RigidBodyDynamics.Judging;
+using RigidBodyDynamics.StudentScripts;
 using RigidBodyDynamics.Tests.CommandLine;
 
 namespace RigidBodyDynamics.Tests.StudentScripts;
@@ -71,6 +72,9 @@ public sealed class HostileScriptTests
         ("a query over more than there is time for", "", "int n = Enumerable.Repeat(1L, int.MaxValue).Concat(Enumerable.Repeat(1L, int.MaxValue)).Concat(Enumerable.Repeat(1L, int.MaxValue)).Concat(Enumerable.Repeat(1L, int.MaxValue)).Concat(Enumerable.Repeat(1L, int.MaxValue)).Concat(Enumerable.Repeat(1L, int.MaxValue)).Where(x => x > 0).Aggregate(0, (a, b) => a);", "endless-loop"),
     ];
 
+    // kinds of sources, the slowest last
+    private static readonly int[] Bombs = Search.In([2, 3, 4, 0, 1], 5);
+
     private static readonly (string Name, string Members, string Update)[] Large =
     [
         ("a large array", "", "try { var a = new double[2000000000]; } catch { }"),
@@ -93,8 +97,10 @@ public sealed class HostileScriptTests
     {
         (_, string members, string update, string code) = Endless.First(script => script.Name == name);
 
-        Assert.That(Codes(Runner.With(members, update: update)).Single(), Does.StartWith(code));
-        Assert.That(Runner.Run(Runner.With()).Verdict.Outcome, Is.EqualTo(Outcome.Right), "the next script");
+        ScriptReport[] both = Runner.InTurn(Runner.With(members, update: update), Runner.With());
+
+        Assert.That(Codes(both[0]).Single(), Does.StartWith(code));
+        Assert.That(both[1].Verdict.Outcome, Is.EqualTo(Outcome.Right), "the next script");
     }
 
     [TestCaseSource(nameof(Names), new object[] { 2 })]
@@ -102,8 +108,10 @@ public sealed class HostileScriptTests
     {
         (_, string members, string update) = Large.First(script => script.Name == name);
 
-        Assert.That(Codes(Runner.With(members, update: update)), Is.EqualTo(new[] { "memory" }));
-        Assert.That(Runner.Run(Runner.With()).Verdict.Outcome, Is.EqualTo(Outcome.Right), "the next script");
+        ScriptReport[] both = Runner.InTurn(Runner.With(members, update: update), Runner.With());
+
+        Assert.That(Codes(both[0]), Is.EqualTo(new[] { "memory" }));
+        Assert.That(both[1].Verdict.Outcome, Is.EqualTo(Outcome.Right), "the next script");
     }
 
     [Test]
@@ -132,16 +140,12 @@ public sealed class HostileScriptTests
     [Test]
     public void What_a_script_does_to_the_engine_no_other_script_sees()
     {
-        Runner.Run(Runner.With(start: "Time.timeScale = 0; Time.fixedDeltaTime = 1; GetComponent<MeshFilter>().sharedMesh.vertices = new Vector3[1]; GetComponent<MeshFilter>().mesh = null;"));
-        Assert.That(Runner.Run(Runner.With()).Verdict.Outcome, Is.EqualTo(Outcome.Right));
+        string careless = Runner.With(start: "Time.timeScale = 0; Time.fixedDeltaTime = 1; GetComponent<MeshFilter>().sharedMesh.vertices = new Vector3[1]; GetComponent<MeshFilter>().mesh = null;");
+        Assert.That(Runner.InTurn(careless, Runner.With())[1].Verdict.Outcome, Is.EqualTo(Outcome.Right));
     }
 
     // whatever their result, the next script is judged normally
-    [TestCase(0)]
-    [TestCase(1)]
-    [TestCase(2)]
-    [TestCase(3)]
-    [TestCase(4)]
+    [TestCaseSource(nameof(Bombs))]
     public void A_source_that_breaks_compilers_is_refused(int kind)
     {
         string bomb = kind switch
@@ -153,8 +157,10 @@ public sealed class HostileScriptTests
             _ => string.Concat(Enumerable.Repeat("Func<int, int> f = x => ", 1)) + string.Concat(Enumerable.Repeat("((Func<int, int>)(y => ", 3000)) + "1" + string.Concat(Enumerable.Repeat("))(1)", 3000)) + ";",
         };
 
-        Assert.That(Runner.Run(Runner.With(update: bomb)).Verdict.Outcome, Is.EqualTo(Outcome.Refused).Or.EqualTo(Outcome.Right));
-        Assert.That(Runner.Run(Runner.With()).Verdict.Outcome, Is.EqualTo(Outcome.Right));
+        ScriptReport[] both = Runner.InTurn(Runner.With(update: bomb), Runner.With());
+
+        Assert.That(both[0].Verdict.Outcome, Is.EqualTo(Outcome.Refused).Or.EqualTo(Outcome.Right));
+        Assert.That(both[1].Verdict.Outcome, Is.EqualTo(Outcome.Right));
     }
 
     [Test]
@@ -165,11 +171,16 @@ public sealed class HostileScriptTests
     public void Every_answer_is_about_its_own_script()
     {
         byte[] large = new byte[600_000], none = [];
-        for (int i = 0; i < 300; i++)
+        Runner.On(runner =>
         {
-            Assert.That(Runner.Run(($"{i}.cs", large)).Verdict.Findings.Single().Found, Is.EqualTo($"{i}.cs"));
-            Assert.That(Runner.Run(($"{i}.cs", none)).Verdict.Findings.Single().Code, Is.EqualTo("no-script"));
-        }
+            for (int i = 0; i < 300; i++)
+            {
+                Assert.That(runner.Run(Runner.Files(($"{i}.cs", large))).Verdict.Findings.Single().Found, Is.EqualTo($"{i}.cs"));
+                Assert.That(runner.Run(Runner.Files(($"{i}.cs", none))).Verdict.Findings.Single().Code, Is.EqualTo("no-script"));
+            }
+
+            return true;
+        });
     }
 
     [Test]
@@ -193,7 +204,7 @@ public sealed class HostileScriptTests
         Assert.That(Directory.GetDirectories(folder.Path), Is.Empty);
     }
 
-    // an instructor's Ctrl-C sends the signal to the child too: to the whole group
+    // an instructor's Ctrl-C sends the signal to the child too: to the whole group; who runs the tests in the background of a shell ignores it
     [TestCase("INT")]
     [TestCase("TERM")]
     [Platform("Linux")]
@@ -201,7 +212,7 @@ public sealed class HostileScriptTests
     {
         using TemporaryFolder folder = new();
         File.WriteAllText(folder.File("MyRigidbody.cs"), Runner.With());
-        ProcessStartInfo start = new("setsid", ["dotnet", Path.Combine(AppContext.BaseDirectory, "MyRigidbody.Lab.dll"), "check", "--watch", "MyRigidbody.cs"])
+        ProcessStartInfo start = new("setsid", ["env", "--default-signal=INT,TERM", "dotnet", Path.Combine(AppContext.BaseDirectory, "MyRigidbody.Lab.dll"), "check", "--watch", "MyRigidbody.cs"])
         {
             WorkingDirectory = folder.Path,
             RedirectStandardOutput = true,
@@ -212,8 +223,11 @@ public sealed class HostileScriptTests
         string? first = watching.StandardOutput.ReadLine();
         string[] during = Directory.GetDirectories(folder.Path);
         using Process kill = Process.Start("sh", ["-c", $"kill -s {signal} -- -{watching.Id}"]);
-        watching.WaitForExit();
+        bool ended = watching.WaitForExit(TimeSpan.FromMinutes(2));
+        if (!ended)
+            watching.Kill(entireProcessTree: true);
 
+        Assert.That(ended, Is.True);
         Assert.That(first, Is.Not.Null);
         Assert.That(during, Has.Length.EqualTo(1));
         Assert.That(Directory.GetDirectories(folder.Path), Is.Empty);
@@ -222,10 +236,11 @@ public sealed class HostileScriptTests
     private static IEnumerable<string> Names(int list) =>
         list == 0 ? Forbidden.Select(script => script.Name) : list == 1 ? Endless.Select(script => script.Name) : Large.Select(script => script.Name);
 
-    private static IEnumerable<string> Codes(string script)
+    private static IEnumerable<string> Codes(string script) => Codes(Runner.Run(script));
+
+    private static IEnumerable<string> Codes(ScriptReport report)
     {
-        Verdict verdict = Runner.Run(script).Verdict;
-        Assert.That(verdict.Outcome, Is.EqualTo(Outcome.Refused));
-        return verdict.Findings.Select(finding => finding.Code);
+        Assert.That(report.Verdict.Outcome, Is.EqualTo(Outcome.Refused));
+        return report.Verdict.Findings.Select(finding => finding.Code);
     }
 }

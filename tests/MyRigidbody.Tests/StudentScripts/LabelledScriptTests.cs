@@ -1,3 +1,4 @@
+using System.Collections.Concurrent;
 using System.Text.Json;
 using NUnit.Framework;
 using RigidBodyDynamics.Judging;
@@ -10,13 +11,13 @@ namespace RigidBodyDynamics.Tests.StudentScripts;
 public sealed class LabelledScriptTests
 {
     private static readonly string[] NotRun = ["compile", "hang", "throw", "memory", "forbidden", "cheat"];
+    private static readonly ConcurrentDictionary<string, Lazy<ScriptReport>> Known = [];
 
     [TestCaseSource(nameof(Labels))]
     public void A_script_is_found_as_it_is_labelled(string id)
     {
         JsonElement label = Labelled().Single(one => Text(one, "id") == id);
-        ScriptReport report = Runner.Run(("MyRigidbody.cs", File.ReadAllBytes(TestData.Path(["submissions", .. Text(label, "file").Split('/')]))));
-        Verdict verdict = report.Verdict;
+        Verdict verdict = Report(Text(label, "file")).Verdict;
 
         Assert.That(verdict.Outcome, Is.EqualTo(NotRun.Contains(Text(label, "category")) ? Outcome.Refused : Enum.Parse<Outcome>(Text(label, "verdict"), ignoreCase: true)));
         Assert.That(verdict.Findings.Select(finding => finding.Code), Is.SupersetOf(Mistakes(label).Where(code => code != "not-done")));
@@ -36,11 +37,14 @@ public sealed class LabelledScriptTests
     public void Comments_are_counted_as_labelled(string id)
     {
         JsonElement label = Labelled().Single(one => Text(one, "id") == id);
-        CommentCoverage comments = Runner.Run(("MyRigidbody.cs", File.ReadAllBytes(TestData.Path(["submissions", .. Text(label, "file").Split('/')])))).Comments;
+        CommentCoverage comments = Report(Text(label, "file")).Comments;
         double share = comments.Statements == 0 ? 1 : (double)comments.Commented / comments.Statements;
 
         Assert.That(share, Text(label, "comments") == "full" ? Is.GreaterThan(0.85) : Is.LessThan(0.15)); // measured 0.89 and 0
     }
+
+    /// <summary>What comes of a script of the sample, which is compiled and run once for all tests.</summary>
+    internal static ScriptReport Report(string file) => Known.GetOrAdd(file, name => new(() => Runner.Run(("MyRigidbody.cs", File.ReadAllBytes(TestData.Path(["submissions", .. name.Split('/')])))))).Value;
 
     internal static IEnumerable<string> Files() => Labelled().Select(label => Text(label, "file"));
 

@@ -1,20 +1,36 @@
+using System.Collections.Concurrent;
 using System.Text;
 using RigidBodyDynamics.StudentScripts;
 
 namespace RigidBodyDynamics.Tests.StudentScripts;
 
-/// <summary>One warm process for the tests of scripts.</summary>
+/// <summary>Warm processes for the tests of scripts: as many as there are tests at once, each used by one at a time.</summary>
 internal static class Runner
 {
-    private static readonly ScriptRunner Warm = new();
+    private static readonly ConcurrentBag<ScriptRunner> Warm = [];
 
-    public static ScriptReport Run(string script) => Run(("MyRigidbody.cs", Encoding.UTF8.GetBytes(script)));
+    public static ScriptReport Run(string script) => InTurn(script).Single();
 
-    public static ScriptReport Run(params (string Name, byte[] Bytes)[] files)
+    public static ScriptReport Run(params (string Name, byte[] Bytes)[] files) => On(runner => runner.Run(Files(files)));
+
+    /// <summary>One after another in the same process, where what one does to it the next would feel.</summary>
+    public static ScriptReport[] InTurn(params string[] scripts) => On(runner => scripts.Select(script => runner.Run(Files(("MyRigidbody.cs", Encoding.UTF8.GetBytes(script))))).ToArray());
+
+    /// <summary>A process for as long as something takes.</summary>
+    public static T On<T>(Func<ScriptRunner, T> use)
     {
-        lock (Warm)
-            return Warm.Run([.. files.Select(file => new ScriptFile(file.Name, file.Bytes))]);
+        ScriptRunner runner = Warm.TryTake(out ScriptRunner? idle) ? idle : new ScriptRunner();
+        try
+        {
+            return use(runner);
+        }
+        finally
+        {
+            Warm.Add(runner);
+        }
     }
+
+    public static ScriptFile[] Files(params (string Name, byte[] Bytes)[] files) => [.. files.Select(file => new ScriptFile(file.Name, file.Bytes))];
 
     /// <summary>A right script with something put into its class, its Start, its Update and above it.</summary>
     public static string With(string members = "", string start = "", string update = "", string above = "") => $$"""
