@@ -13,14 +13,14 @@ public sealed partial class EngineMemberTests
 {
     private const string Page = "docs/unity-members.md", InChinese = "docs/unity-members.zh.md", Unknown = "?";
 
-    private static readonly string[] Oldest = ["UNITY_EDITOR", "UNITY_2019_3_OR_NEWER", "UNITY_2019_4_OR_NEWER", "ENABLE_LEGACY_INPUT_MANAGER"];
-    private static readonly string[] Newest =
-        ["UNITY_EDITOR", "UNITY_2019_3_OR_NEWER", "UNITY_2019_4_OR_NEWER", "UNITY_2022_2_OR_NEWER", "UNITY_6000_0_OR_NEWER", "ENABLE_INPUT_SYSTEM"];
+    private static readonly Lazy<string[]> Oldest = new(() => Members("UNITY_EDITOR", "UNITY_2019_3_OR_NEWER", "UNITY_2019_4_OR_NEWER", "ENABLE_LEGACY_INPUT_MANAGER"));
+    private static readonly Lazy<string[]> Newest = new(() =>
+        Members("UNITY_EDITOR", "UNITY_2019_3_OR_NEWER", "UNITY_2019_4_OR_NEWER", "UNITY_2022_2_OR_NEWER", "UNITY_6000_0_OR_NEWER", "ENABLE_INPUT_SYSTEM"));
 
     [Test]
     public void Page_lists_every_member_that_is_touched_and_no_other()
     {
-        SortedSet<string> touched = new(Members(Oldest).Concat(Members(Newest)), StringComparer.Ordinal);
+        SortedSet<string> touched = new(Oldest.Value.Concat(Newest.Value), StringComparer.Ordinal);
         if (Environment.GetEnvironmentVariable("MYRIGIDBODY_WRITE") == "1")
         {
             Write(touched, InChinese, EngineMemberPage.Chinese);
@@ -39,12 +39,12 @@ public sealed partial class EngineMemberTests
     public void What_2019_has_not_is_touched_behind_a_symbol_alone()
     {
         Dictionary<string, (string Since, string Obsolete)> rows = Rows(Page);
-        Assert.That(Members(Oldest).Where(member => rows[member].Since != "2019.4"), Is.Empty);
-        Assert.That(Members(Newest).Where(member => rows[member].Obsolete.Length > 0), Is.EquivalentTo(ObsoleteAndUsed));
+        Assert.That(Oldest.Value.Where(member => rows[member].Since != "2019.4"), Is.Empty);
+        Assert.That(Newest.Value.Where(member => rows[member].Obsolete.Length > 0), Is.EquivalentTo(ObsoleteAndUsed));
     }
 
-    private static IEnumerable<string> Members(string[] symbols) =>
-        new UnityCompiler([.. Checkout.Gather(Root.Path), .. Checkout.GatherStarter(Root.Path)], symbols).EngineMembers().Distinct();
+    private static string[] Members(params string[] symbols) =>
+        [.. new UnityCompiler([.. Checkout.Gather(Root.Path), .. Checkout.GatherStarter(Root.Path)], symbols).EngineMembers().Distinct()];
 
     private static Dictionary<string, (string Since, string Obsolete)> Rows(string page) => File.Exists(Root.File(page))
         ? Row().Matches(File.ReadAllText(Root.File(page))).ToDictionary(row => row.Groups[1].Value, row => (row.Groups[2].Value.Trim(), row.Groups[3].Value.Trim()))

@@ -14,14 +14,14 @@ internal static class Arrows
 
     private static readonly CSharpParseOptions Modern = new(LanguageVersion.Latest, preprocessorSymbols: ["NET", "NET8_0_OR_GREATER", "NET10_0_OR_GREATER"]);
 
-    private static readonly ConcurrentDictionary<string, (string From, string To, string What)[]> Found = [];
-    private static readonly ConcurrentDictionary<string, CSharpCompilation> Projects = [];
+    private static readonly ConcurrentDictionary<string, Lazy<(string From, string To, string What)[]>> Found = [];
+    private static readonly ConcurrentDictionary<string, Lazy<CSharpCompilation>> Projects = [];
 
     /// <summary>Files that refer to one another, by their paths from the project's folder, with an example of what is referred to.</summary>
-    public static (string From, string To, string What)[] BetweenFiles(string project) => Found.GetOrAdd(project, Find);
+    public static (string From, string To, string What)[] BetweenFiles(string project) => Found.GetOrAdd(project, name => new(() => Find(name))).Value;
 
     /// <summary>The code of a folder as its compiler sees it.</summary>
-    public static CSharpCompilation Compiled(string project) => Projects.GetOrAdd(project, Compile);
+    public static CSharpCompilation Compiled(string project) => Projects.GetOrAdd(project, name => new(() => Compile(name))).Value;
 
     private static CSharpCompilation Compile(string project) => CSharpCompilation.Create(
         project,
