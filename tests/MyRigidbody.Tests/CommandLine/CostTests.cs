@@ -46,7 +46,7 @@ public sealed class CostTests
         LabProcess lab = LabProcess.Run(folder.Path, "cost", Scene("fall-with-drag.json"), Scene("fall-with-drag.json"), "--quick", "--out", "结果");
 
         Assert.That(lab.ExitCode, Is.Zero, lab.Error);
-        Assert.That(lab.Output, Does.Contain("our own").And.Contain("uncertain by"));
+        Assert.That(lab.Output, Does.Contain("our own").And.Contain("uncertainty"));
         Assert.That(
             Directory.GetFiles(folder.File("结果"), "*.png").Select(Path.GetFileName),
             Is.EquivalentTo(new[] { "cost-fall-with-drag.png", "cost-fall-with-drag-2.png" }));
