@@ -15,7 +15,7 @@ internal static class Worker
     private static readonly string[] LeftOut =
     [
         "CommandLine.", "Repository.", "UnityProject.", "Package.", "Report.", "Animation.", "SceneFiles.", "Determinism.", "PageTests",
-        "StandIn.", "StudentScripts.", "Judging.", "Grading.", "Output.",
+        "StandIn.", "StudentScripts.", "Judging.", "Grading.", "Output.", "Languages.",
         "AdvisorTests", "BodyByBodyTests", "TruthTests", "StepFreeTests", "AllocationTests", "DamagedFileTests",
     ];
 
