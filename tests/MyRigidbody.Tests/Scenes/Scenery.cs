@@ -48,6 +48,9 @@ internal static class Scenery
             .With(new PerStep(kicks, kicks), 0.1);
     }
 
+    /// <summary>True for an integrator of higher order whose step has no way back: it composes no exact motions, but evaluates rates in stages.</summary>
+    public static bool TakesStages(string integrator) => Body(integrator).Rule is { Order: > 1 } rule && !rule.Keeps.HasFlag(Keeps.WayBack);
+
     /// <summary>A simulation that takes every step, also of bodies that coast.</summary>
     public static Simulation Stepped(TimeSteps steps, params BodyDescription[] bodies) =>
         new(new SceneDescription("stepped", string.Empty, steps, bodies), Omissions.None);
